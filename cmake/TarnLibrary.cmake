@@ -1,0 +1,26 @@
+# tarn_library(NAME SOURCES ... [DEPENDS ...] [LINK ...])
+#
+# One static library per folder of src/, each with an include root of its own: a library sees the headers of
+# the folders it names in DEPENDS (and theirs), and nothing else, so that an include against the grain of the
+# house does not compile. The include root is a folder that holds one link, NAME -> src/NAME.
+
+add_library(tarn_warnings INTERFACE)
+target_compile_options(tarn_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+
+if(TARN_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+function(tarn_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LINK" ${ARGN})
+  set(root ${PROJECT_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${root})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/src/${name} ${root}/${name} SYMBOLIC)
+  add_library(tarn_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(tarn_${name} PUBLIC ${root})
+  foreach(dependency ${ARG_DEPENDS})
+    target_link_libraries(tarn_${name} PUBLIC tarn_${dependency})
+  endforeach()
+  target_link_libraries(tarn_${name} PUBLIC ${ARG_LINK} PRIVATE $<BUILD_INTERFACE:tarn_warnings>)
+endfunction()

@@ -1,0 +1,27 @@
+# The target PkgConfig::tomlplusplus: the distribution's package, or, where it has none (Ubuntu 22.04), the library's
+# one header, fetched once into the build folder.
+
+pkg_check_modules(tomlplusplus QUIET IMPORTED_TARGET tomlplusplus)
+if(NOT tomlplusplus_FOUND)
+  set(header ${PROJECT_BINARY_DIR}/fetched/toml++/toml.h)
+  set(url https://raw.githubusercontent.com/marzer/tomlplusplus/v3.3.0/toml.hpp)
+  set(TARN_TOMLPLUSPLUS_URL ${url} CACHE STRING "Where toml.hpp 3.3.0 comes from when no package provides it")
+  set(hash e1cdd834b734baa6821701efa427c16f7116be44f1286350cde8683cd2c84565)
+  if(NOT EXISTS ${header})
+    message(STATUS "No package has toml++: fetching ${TARN_TOMLPLUSPLUS_URL}")
+    file(DOWNLOAD ${TARN_TOMLPLUSPLUS_URL} ${header}.part STATUS status)
+    list(GET status 0 failed)
+    if(NOT failed)
+      file(SHA256 ${header}.part found)
+    endif()
+    if(failed OR NOT found STREQUAL hash)
+      file(REMOVE ${header}.part)
+      message(FATAL_ERROR "Could not fetch ${TARN_TOMLPLUSPLUS_URL} (${status}); install libtomlplusplus-dev, or set "
+                          "TARN_TOMLPLUSPLUS_URL to a copy of toml.hpp 3.3.0 (SHA-256 ${hash})")
+    endif()
+    file(RENAME ${header}.part ${header})
+  endif()
+  add_library(tarn_tomlplusplus INTERFACE)
+  target_include_directories(tarn_tomlplusplus SYSTEM INTERFACE ${PROJECT_BINARY_DIR}/fetched)
+  add_library(PkgConfig::tomlplusplus ALIAS tarn_tomlplusplus)
+endif()

@@ -1,0 +1,37 @@
+// From linear radiance to the display: exposure, tone curve, sRGB. Debug views are given colours that a person can read.
+#include "shared/tonemap.glsl"
+
+in vec2 uv;
+
+uniform sampler2D hdrColour;
+uniform float exposure;
+
+out vec4 fragment;
+
+vec3 heat(float x) // black, blue, green, yellow, white over 0 to 1
+{
+    x = clamp(x, 0.0, 1.0) * 4.0;
+    return vec3(smoothstep(2.0, 3.0, x), smoothstep(1.0, 2.0, x), smoothstep(0.0, 1.0, x) - smoothstep(1.0, 2.0, x) +
+                                                                      smoothstep(3.0, 4.0, x));
+}
+
+void main()
+{
+    vec4 value = texture(hdrColour, uv);
+#if DISPLAY == 0
+    vec3 mapped = TONE_CURVE(value.rgb * exposure);
+#elif DISPLAY == 1 // a length in metres, longer than ten of them is bright
+    vec3 mapped = heat(value.r / (value.r + 10.0)) * value.a;
+#elif DISPLAY == 2 // a position: one cycle of colour a metre
+    vec3 mapped = fract(value.rgb) * value.a;
+#elif DISPLAY == 3 // a unit vector
+    vec3 mapped = (0.5 * value.rgb + 0.5) * value.a;
+#else // a fraction
+    vec3 mapped = clamp(value.rrr, 0.0, 1.0) * value.a;
+#endif
+#if DISPLAY == 0
+    fragment = vec4(srgbColour(mapped), 1.0);
+#else
+    fragment = vec4(mapped, 1.0);
+#endif
+}

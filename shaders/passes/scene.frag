@@ -1,0 +1,137 @@
+// Shades static geometry: radiance towards the eye, linear, on the scene's one scale.
+//
+// Above the water: sun and sky directly. Below it: the sun refracted by the flat surface and the sky through it, both
+// absorbed on their way down. UNDERWATER: the eye is in the water too, so what lies between is water (eq. 10).
+#include "shared/blocks.glsl"
+#include "shared/refraction.glsl"
+#include "shared/lighting.glsl"
+
+in vec3 positionW;
+in vec3 normalW;
+in vec2 uv;
+in vec3 tint;
+#ifdef NORMAL_MAP
+in vec4 tangentW;
+uniform sampler2D normalMap;
+#endif
+#ifdef DIFFUSE_MAP
+uniform sampler2D diffuseMap;
+#endif
+#ifdef ALPHA_MAP
+uniform sampler2D alphaMap;
+#endif
+#ifdef EMISSIVE_MAP
+uniform sampler2D emissiveMap;
+#endif
+
+uniform vec3 diffuseReflectance;
+uniform vec3 emittedRadiance;
+#ifdef SPECULAR
+uniform vec3 specularReflectance;
+uniform float shininess;
+#endif
+#ifdef ALPHA_TEST
+uniform float alpha;
+uniform float alphaCutoff;
+#endif
+
+out vec4 fragment;
+
+vec3 shadingNormal()
+{
+    vec3 n = normalize(normalW);
+#ifdef NORMAL_MAP
+    vec3 t = tangentW.xyz - n * dot(n, tangentW.xyz);
+    float length2 = dot(t, t);
+    if (length2 > 1.0e-12) { // degenerate texture coordinates have no tangent
+        t *= inversesqrt(length2);
+        vec3 b = tangentW.w * cross(n, t);
+        vec3 m = texture(normalMap, uv).xyz * 2.0 - 1.0;
+        n = normalize(m.x * t + m.y * b + m.z * n);
+    }
+#endif
+#ifdef TURN_NORMAL
+    if (!gl_FrontFacing) n = -n;
+#endif
+    return n;
+}
+
+// Irradiance and glossy reflection of one source: `irradiance` is that on a surface facing `light`.
+vec3 lit(vec3 n, vec3 toEye, vec3 light, vec3 irradiance, vec3 albedo)
+{
+    float cosine = max(dot(n, light), 0.0);
+    vec3 radiance = albedo / lightPi * cosine * irradiance;
+#ifdef SPECULAR
+    radiance += specularReflectance * irradiance * cosine * blinnPhong(max(dot(n, normalize(light + toEye)), 0.0), shininess);
+#endif
+    return radiance;
+}
+
+vec3 lampLight(LightTerm lamp, vec3 n, vec3 toEye, vec3 albedo)
+{
+    vec3 toLamp = lamp.position - positionW;
+    float distance2 = max(dot(toLamp, toLamp), 1.0e-6); // at the lamp itself the irradiance has no bound
+    vec3 light = toLamp * inversesqrt(distance2);
+    float cone = lamp.cosOuter < -1.5 ? 1.0 : smoothstep(lamp.cosOuter, lamp.cosInner, dot(-light, lamp.direction));
+    return lit(n, toEye, light, lamp.intensity * (cone / distance2), albedo);
+}
+
+void main()
+{
+    vec3 albedo = diffuseReflectance * tint;
+#ifdef DIFFUSE_MAP
+    vec4 texel = texture(diffuseMap, uv);
+    albedo *= texel.rgb;
+#endif
+
+    float coverage = 1.0;
+#ifdef ALPHA_TEST
+    coverage = alpha;
+#ifdef DIFFUSE_MAP
+    coverage *= texel.a;
+#endif
+#ifdef ALPHA_MAP
+    coverage *= texture(alphaMap, uv).r;
+#endif
+#ifdef ALPHA_TO_COVERAGE
+    // A ramp one pixel wide about the cutoff, so that the samples draw the edge (no half-transparent leaves).
+    coverage = clamp((coverage - alphaCutoff) / max(fwidth(coverage), 1.0e-4) + 0.5, 0.0, 1.0);
+    if (coverage <= 0.0) discard;
+#else
+    if (coverage < alphaCutoff) discard;
+    coverage = 1.0;
+#endif
+#endif
+
+    vec3 n = shadingNormal();
+    vec3 toEye = normalize(eye - positionW);
+#ifdef DEBUG_NORMALS
+    fragment = vec4(n, 1.0);
+    return;
+#endif
+
+    float depth = waterLevel - positionW.y;
+    bool submerged = hasWater > 0.5 && depth > 0.0 &&
+                     all(lessThanEqual(abs(positionW.xz - waterRect.xy), waterRect.zw));
+    vec3 radiance = emittedRadiance;
+#ifdef EMISSIVE_MAP
+    radiance *= texture(emissiveMap, uv).rgb;
+#endif
+    if (submerged) {
+        vec3 sun = sunBelow * beerLambert(absorption, depth / max(sunDirectionBelow.y, 0.05));
+        radiance += lit(n, toEye, sunDirectionBelow, sun, albedo);
+        radiance += albedo / lightPi * skyIrradianceAtDepth(skyBelow, absorption, depth, n);
+    } else {
+        radiance += lit(n, toEye, sunDirection, sunIrradiance, albedo);
+        radiance += albedo / lightPi * shIrradiance(skyIrradiance, n);
+    }
+    for (int i = 0; i < int(lightCount); ++i) radiance += lampLight(lights[i], n, toEye, albedo);
+
+#ifdef UNDERWATER
+    if (submerged) {
+        vec3 a = beerLambert(absorption, distance(positionW, eye));
+        radiance = radianceThroughWater(radiance, deepRadiance, a);
+    }
+#endif
+    fragment = vec4(radiance, coverage);
+}

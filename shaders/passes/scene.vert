@@ -1,0 +1,35 @@
+// Static geometry, for every view of it (scene, refraction and reflection passes).
+#include "shared/blocks.glsl"
+
+layout(location = 0) in vec3 positionM;
+layout(location = 1) in vec3 normalM;
+layout(location = 2) in vec4 tangentM;
+layout(location = 3) in vec2 uvM;
+layout(location = 4) in vec4 colourM;
+
+uniform mat4 worldFromModel;
+uniform mat3 worldFromModelNormal;
+
+out vec3 positionW;
+out vec3 normalW;
+out vec2 uv;
+out vec3 tint;
+#ifdef NORMAL_MAP
+out vec4 tangentW;
+#endif
+
+void main()
+{
+    vec4 position = worldFromModel * vec4(positionM, 1.0);
+    positionW = position.xyz;
+    normalW = worldFromModelNormal * normalM;
+#ifdef NORMAL_MAP
+    tangentW = vec4(mat3(worldFromModel) * tangentM.xyz, tangentM.w);
+#endif
+    uv = uvM;
+    tint = colourM.rgb;
+    gl_Position = clipFromWorld * position;
+#ifdef CLIP
+    gl_ClipDistance[0] = dot(clipPlane, position);
+#endif
+}

@@ -1,0 +1,61 @@
+// The water surface: a sum of sines, y = sum of A sin(k·x - omega t + phase), x in the xz plane.
+//
+// Needs blocks.glsl (WaveTerm). Heights are relative to the water's level. Metres, seconds, radians.
+
+// GLSL reads the uniform block's array `waves`, which cannot be a parameter without being copied for every fragment.
+// The C++ build defines this as `const WaveTerm* waves,` (src/optics/GenerateOptics.cmake).
+#define WAVE_ARRAY
+
+struct WaveSample {
+    float height;       // m above the level
+    vec2 slope;         // dy/dx, dy/dz
+    float lostVariance; // of the slope, per axis: what the footprint averaged away
+};
+
+// One component: height, dy/dx, dy/dz at x (m) and t (s).
+SHARED vec3 waveTerm(WaveTerm w, vec2 x, float t)
+{
+    float angle = dot(w.k, x) - w.omega * t + w.phase;
+    float slope = w.amplitude * cos(angle);
+    return vec3(w.amplitude * sin(angle), slope * w.k.x, slope * w.k.y);
+}
+
+// What is left of a component's amplitude after averaging over a pixel that spans `footprint` metres of the surface:
+// the Fourier transform of a Gaussian whose standard deviation is half the footprint. 1 at footprint 0, 0.29 for a
+// wave of two footprints (the shortest that pixels can show), 0.007 for one of one footprint.
+SHARED float waveFilter(WaveTerm w, float footprint)
+{
+    float kSigma = 0.5 * w.wavenumber * footprint;
+    return exp(-0.5 * kSigma * kSigma);
+}
+
+// Variance of a component's slope along its direction that its weight takes away: A²k²/2 is all of it.
+SHARED float waveLostVariance(WaveTerm w, float weight)
+{
+    float steepness = w.amplitude * w.wavenumber;
+    return 0.5 * steepness * steepness * (1.0 - weight * weight);
+}
+
+// All components at x and t, seen through a footprint (0: unfiltered).
+SHARED WaveSample waveSum(WAVE_ARRAY int count, vec2 x, float t, float footprint)
+{
+    WaveSample result;
+    result.height = 0.0;
+    result.slope = vec2(0.0);
+    result.lostVariance = 0.0;
+    for (int i = 0; i < count; ++i) {
+        float weight = waveFilter(waves[i], footprint);
+        vec3 term = weight * waveTerm(waves[i], x, t);
+        result.height += term.x;
+        result.slope += vec2(term.y, term.z);
+        // Half of it to each axis: the glint that takes it up is round.
+        result.lostVariance += 0.5 * waveLostVariance(waves[i], weight);
+    }
+    return result;
+}
+
+// Upward unit normal of a height field with these slopes.
+SHARED vec3 waveNormal(vec2 slope)
+{
+    return normalize(vec3(-slope.x, 1.0, -slope.y));
+}

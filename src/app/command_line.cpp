@@ -1,0 +1,317 @@
+#include "app/command_line.h"
+
+#include "app/parse.h"
+#include "app/version.h"
+#include "base/error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+
+namespace tarn
+{
+
+namespace
+{
+
+constexpr float radiansPerDegree = pi / 180.0f;
+
+/// One command's flags. Text is turned into values by `convert` functions after CLI11 has told flags from
+/// arguments, so that every message has the same form.
+class Flags
+{
+public:
+    explicit Flags(CLI::App& app) : app_(app) {}
+
+    using Convert = std::function<void(const std::string& text, const std::string& flag)>;
+
+    void value(const std::string& flag, const char* what, const char* doc, Convert convert)
+    {
+        auto text = std::make_shared<std::string>();
+        CLI::Option* option = app_.add_option(flag, *text, doc)->type_name(what);
+        finally([=] {
+            if (option->count() > 0) convert(*text, flag);
+        });
+    }
+
+    void text(const std::string& flag, const char* what, const char* doc, std::string& value)
+    {
+        app_.add_option(flag, value, doc)->type_name(what);
+    }
+
+    /// A flag whose value may be left out.
+    void optionalText(const std::string& flag, const char* what, const char* doc, std::string& value,
+                      const char* whenLeftOut)
+    {
+        CLI::Option* option = app_.add_option(flag, value, doc)->type_name(what)->expected(0, 1);
+        finally([option, &value, whenLeftOut] {
+            if (option->count() > 0 && value.empty()) value = whenLeftOut;
+        });
+    }
+
+    /// A flag that may be repeated, one value each.
+    void list(const std::string& flag, const char* what, const char* doc, std::vector<std::string>& values)
+    {
+        app_.add_option(flag, values, doc)->type_name(what)->allow_extra_args(false);
+    }
+
+    void toggle(const std::string& flag, const char* doc, bool& value) { app_.add_flag(flag, value, doc); }
+
+    void count(const std::string& flag, const char* doc, int& value, int lower, int upper)
+    {
+        this->value(flag, "N", doc, [=, &value](const std::string& text, const std::string& name) {
+            value = parseCount(text, name, lower, upper);
+        });
+    }
+
+    void number(const std::string& flag, const char* what, const char* doc, double& value, double lower,
+                double upper)
+    {
+        this->value(flag, what, doc, [=, &value](const std::string& text, const std::string& name) {
+            value = parseNumber(text, name, lower, upper);
+        });
+    }
+
+    void vector(const std::string& flag, const char* doc, std::optional<vec3>& value)
+    {
+        this->value(flag, "X,Y,Z", doc, [&value](const std::string& text, const std::string& name) {
+            value = parseVec3(text, name);
+        });
+    }
+
+    /// One more thing to do once CLI11 is done.
+    void finally(std::function<void()> step) { pending_.push_back(std::move(step)); }
+
+    void convert() const
+    {
+        for (const auto& step : pending_)
+            step();
+    }
+
+private:
+    CLI::App& app_;
+    std::vector<std::function<void()>> pending_;
+};
+
+void addScene(Flags& flags, SceneArguments& scene)
+{
+    flags.value("SCENE", "FILE", "Scene file (.toml) or model (.obj); the shipped lake by default",
+                [&scene](const std::string& text, const std::string&) { scene.file = text; });
+    flags.list("--set", "KEY=VALUE", "Set an option, such as refraction.steps=3 (see: tarn options)",
+               scene.settings.assignments);
+    auto files = std::make_shared<std::vector<std::string>>();
+    flags.list("--options", "FILE", "TOML file of options; --set wins over it", *files);
+    flags.finally([files, &scene] { scene.settings.files.assign(files->begin(), files->end()); });
+    flags.value("--water-level", "M", "Height of the water, m; gives a bare .obj its lake",
+                [&scene](const std::string& text, const std::string& flag) {
+                    scene.waterLevel = static_cast<float>(parseNumber(text, flag, -1e5, 1e5));
+                });
+}
+
+void addView(Flags& flags, ViewArguments& view)
+{
+    flags.text("--camera", "NAME", "A camera of the scene; its first by default", view.camera.name);
+    flags.vector("--eye", "Where the eye is, m; replaces the camera's", view.camera.eye);
+    flags.vector("--target", "The point it looks at, m", view.camera.target);
+    flags.vector("--up", "The direction that is up in the picture", view.camera.up);
+    flags.value("--fov", "DEG", "Vertical field of view, degrees",
+                [&view](const std::string& text, const std::string& flag) {
+                    view.camera.verticalFov =
+                        static_cast<float>(parseNumber(text, flag, 1.0, 170.0)) * radiansPerDegree;
+                });
+    flags.value(
+        "--size", "WxH", "Size of the picture, pixels",
+        [&view](const std::string& text, const std::string& flag) { view.size = parseSize(text, flag); });
+    flags.number("--time", "S", "Time of the waves at the start, s", view.time, -1e6, 1e6);
+}
+
+constexpr auto jsonDoc = "Write the result as JSON to this file; - is standard output";
+
+/// Declares a command's flags; what it returns makes the command once they have their values.
+using Define = std::function<Command()> (*)(Flags&);
+
+std::function<Command()> defineView(Flags& flags)
+{
+    auto command = std::make_shared<ViewCommand>();
+    addScene(flags, command->scene);
+    addView(flags, command->view);
+    flags.toggle("--fullscreen", "Fill the screen", command->fullscreen);
+    flags.toggle("--vsync,!--no-vsync", "Wait for the screen's refresh (on by default)", command->vsync);
+    flags.count("--frames", "Leave after N frames; 0 stays", command->frames, 0, 1000000);
+    return [command] { return *command; };
+}
+
+DebugView parseDebugView(const std::string& text, const std::string& flag)
+{
+    if (const auto view = debugViewFromName(text)) return *view;
+    const std::vector<std::string> names(debugViewNames.begin(), debugViewNames.end());
+    throw UsageError("{} {}: no such view; there are {}", flag, text, fmt::join(names, ", "));
+}
+
+std::function<Command()> defineRender(Flags& flags)
+{
+    auto command = std::make_shared<RenderCommand>();
+    RenderCommand& c = *command;
+    c.view.size = {1024, 768};
+    addScene(flags, c.scene);
+    addView(flags, c.view);
+    flags.value(
+        "--view", "NAME", "Show an intermediate picture: fresnel, path-length, …",
+        [&c](const std::string& text, const std::string& flag) { c.debugView = parseDebugView(text, flag); });
+    flags.text("--out", "FILE", "Picture: .png tone-mapped, .exr linear; name_%04d.png for a sequence",
+               c.out);
+    flags.count("--frames", "Pictures in the sequence", c.frames, 1, 1000000);
+    flags.number("--fps", "F", "Pictures per second of the sequence", c.fps, 1e-3, 1e4);
+    flags.toggle("--all-cameras", "A picture from each camera; --out names their folder", c.allCameras);
+    flags.toggle("--check", "Fail when a pass makes NaN, infinity or negative radiance", c.check);
+    flags.text("--json", "FILE", jsonDoc, c.json);
+    return [command]() -> Command {
+        if (command->out.empty()) throw UsageError("render needs --out FILE, such as --out lake.png");
+        if (command->allCameras && command->frames > 1)
+            throw UsageError("--all-cameras makes one picture each; leave --frames away");
+        if (command->allCameras && !command->view.camera.name.empty())
+            throw UsageError("--all-cameras renders every camera; leave --camera away");
+        return *command;
+    };
+}
+
+std::function<Command()> defineBench(Flags& flags)
+{
+    auto command = std::make_shared<BenchCommand>();
+    command->view.size = {1024, 768};
+    addScene(flags, command->scene);
+    addView(flags, command->view);
+    flags.count("--frames", "Frames measured of each configuration", command->frames, 1, 1000000);
+    flags.count("--warm-up", "Frames drawn first and not counted", command->warmUp, 0, 10000);
+    flags.list("--vary", "KEY=VALUE", "Measure one more configuration, with this option set",
+               command->variants);
+    flags.text("--json", "FILE", jsonDoc, command->json);
+    return [command] { return *command; };
+}
+
+std::function<Command()> defineExplain(Flags& flags)
+{
+    auto command = std::make_shared<ExplainCommand>();
+    command->view.size = {1024, 768};
+    addScene(flags, command->scene);
+    addView(flags, command->view);
+    flags.text("--json", "FILE", jsonDoc, command->json);
+    return [command] { return *command; };
+}
+
+std::function<Command()> defineOptions(Flags& flags)
+{
+    auto command = std::make_shared<OptionsCommand>();
+    flags.optionalText("--json", "FILE", "As JSON, to this file or to standard output", command->json, "-");
+    return [command] { return *command; };
+}
+
+std::function<Command()> defineInfo(Flags& flags)
+{
+    auto command = std::make_shared<InfoCommand>();
+    addScene(flags, command->scene);
+    flags.text("--json", "FILE", jsonDoc, command->json);
+    return [command] { return *command; };
+}
+
+struct CommandRow {
+    const char* name;
+    const char* doc;
+    Define define;
+};
+
+constexpr CommandRow commands[] = {
+    {"view", "Walk round the lake in a window (the default)", defineView},
+    {"render", "Write pictures", defineRender},
+    {"bench", "Measure what a frame and its passes cost, with the water and without", defineBench},
+    {"explain", "Say which passes a frame runs, and why", defineExplain},
+    {"options", "List every option", defineOptions},
+    {"info", "Say what this program, machine and scene are", defineInfo},
+};
+
+bool isCommand(const std::string& word)
+{
+    return std::any_of(std::begin(commands), std::end(commands),
+                       [&](const CommandRow& row) { return word == row.name; });
+}
+
+/// Puts the default command in front where none is named. A lone word that is neither a command nor a file
+/// nor looks like one is taken for a misspelt command.
+std::vector<std::string> withCommand(std::vector<std::string> arguments)
+{
+    if (!arguments.empty()) {
+        const std::string& first = arguments.front();
+        if (isCommand(first) || first == "--help" || first == "-h" || first == "--version") return arguments;
+        const bool looksLikeFile = first.find_first_of("./-") != std::string::npos;
+        if (!looksLikeFile && !std::filesystem::exists(first)) {
+            std::vector<std::string> names;
+            for (const CommandRow& row : commands)
+                names.emplace_back(row.name);
+            const std::string near = nearestName(first, names);
+            throw UsageError("{}: no such command or scene; {}", first,
+                             near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
+                                          : fmt::format("did you mean {}?", near));
+        }
+    }
+    arguments.insert(arguments.begin(), "view");
+    return arguments;
+}
+
+std::string unknownFlagMessage(const CLI::App& app)
+{
+    const std::string word = app.remaining(true).front();
+    if (word.empty() || word.front() != '-')
+        return fmt::format("{}: one argument too many; see --help", word);
+    const std::string flag = word.substr(0, word.find('='));
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands())
+        for (const CLI::Option* option : command->get_options())
+            for (const std::string& name : option->get_lnames())
+                names.push_back("--" + name);
+    const std::string near = nearestName(flag, names);
+    return fmt::format("{}: no such flag{}; see --help", flag,
+                       near.empty() ? "" : fmt::format(", did you mean {}?", near));
+}
+
+} // namespace
+
+Command parseCommandLine(const std::vector<std::string>& arguments)
+{
+    CLI::App app{"Tarn shows lakes, and knows what its speed costs in accuracy.", "tarn"};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", fmt::format("tarn {} ({})", versionText(), buildText()));
+
+    std::vector<std::string> words = withCommand(arguments);
+    struct Declared {
+        std::unique_ptr<Flags> flags;
+        std::function<Command()> make;
+    };
+    std::map<std::string, Declared> declared; // CLI11 keeps pointers into all of them
+    for (const CommandRow& row : commands) {
+        auto flags = std::make_unique<Flags>(*app.add_subcommand(row.name, row.doc));
+        std::function<Command()> make = row.define(*flags);
+        declared[row.name] = {std::move(flags), std::move(make)};
+    }
+    const std::string name = words.front();
+
+    std::reverse(words.begin(), words.end()); // as CLI11 wants them
+    try {
+        app.parse(std::move(words));
+    } catch (const CLI::CallForHelp&) {
+        return PrintCommand{app.help()};
+    } catch (const CLI::CallForVersion& version) {
+        return PrintCommand{std::string(version.what()) + "\n"};
+    } catch (const CLI::ExtrasError&) {
+        throw UsageError("{}", unknownFlagMessage(app));
+    } catch (const CLI::ParseError& error) {
+        throw UsageError("{}; see --help", error.what());
+    }
+    const Declared& chosen = declared.at(name);
+    chosen.flags->convert();
+    return chosen.make();
+}
+
+} // namespace tarn

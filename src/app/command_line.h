@@ -1,0 +1,92 @@
+// What a person asked for: arguments in, one plain struct out. The only face that Tarn has to CLI11.
+#pragma once
+
+#include "app/settings.h"
+#include "base/math.h"
+#include "render/debug_view.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tarn
+{
+
+struct SceneArguments {
+    std::filesystem::path file; ///< empty: the shipped lake
+    std::optional<float> waterLevel;
+    SettingsArguments settings;
+};
+
+/// A named camera of the scene (its first by default), and what replaces parts of it.
+struct CameraArguments {
+    std::string name;
+    std::optional<vec3> eye, target, up;
+    std::optional<float> verticalFov; ///< radians
+};
+
+struct ViewArguments {
+    CameraArguments camera;
+    ivec2 size{1280, 720}; ///< pixels
+    double time = 0.0;     ///< s
+};
+
+struct ViewCommand {
+    SceneArguments scene;
+    ViewArguments view;
+    bool fullscreen = false;
+    bool vsync = true;
+    int frames = 0; ///< leaves after so many; 0: stays
+};
+
+struct RenderCommand {
+    SceneArguments scene;
+    ViewArguments view;
+    DebugView debugView = DebugView::final;
+    int frames = 1;
+    double fps = 30.0;
+    std::string out; ///< file, pattern with %04d, or folder with allCameras
+    bool allCameras = false;
+    bool check = false;
+    std::string json; ///< file, "-" for standard output, or empty
+};
+
+struct BenchCommand {
+    SceneArguments scene;
+    ViewArguments view;
+    int frames = 60;
+    int warmUp = 5;
+    std::vector<std::string> variants; ///< "key=value": one more configuration each
+    std::string json;
+};
+
+struct ExplainCommand {
+    SceneArguments scene;
+    ViewArguments view;
+    std::string json;
+};
+
+struct OptionsCommand {
+    std::string json;
+};
+
+struct InfoCommand {
+    SceneArguments scene;
+    std::string json;
+};
+
+/// --help and --version.
+struct PrintCommand {
+    std::string text;
+};
+
+using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, BenchCommand, ExplainCommand,
+                             OptionsCommand, InfoCommand>;
+
+/// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a
+/// word that is none.
+Command parseCommandLine(const std::vector<std::string>& arguments);
+
+} // namespace tarn

@@ -1,0 +1,24 @@
+// The subcommands. Results go to standard output; each throws Error when it fails.
+#pragma once
+
+#include "app/command_line.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace tarn
+{
+
+void run(const PrintCommand& command);
+void run(const RenderCommand& command);
+void run(const BenchCommand& command);
+void run(const ExplainCommand& command);
+void run(const OptionsCommand& command);
+void run(const InfoCommand& command);
+
+/// To the file, or to standard output when it is "-". Does nothing when it is empty.
+void writeJson(const std::string& file, const nlohmann::json& json);
+
+/// Throws Error when writeJson could not write to it; call before long work.
+void requireWritableJson(const std::string& file);
+
+} // namespace tarn

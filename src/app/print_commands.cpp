@@ -1,0 +1,100 @@
+// The commands that only tell: --help, options, explain; and where JSON goes.
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/plan_report.h"
+#include "app/stage.h"
+#include "base/error.h"
+#include "base/files.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace tarn
+{
+
+void writeJson(const std::string& file, const nlohmann::json& json)
+{
+    if (file.empty()) return;
+    // Names of files and cameras may hold bytes that are no UTF-8: replaced, not thrown at.
+    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    if (file == "-") {
+        fmt::print("{}", text);
+    } else {
+        writeFile(file, text);
+    }
+}
+
+void requireWritableJson(const std::string& file)
+{
+    if (file.empty() || file == "-") return;
+    if (std::filesystem::is_directory(file)) throw Error("--json {}: is a folder; give a file", file);
+    requireWritableFolder(std::filesystem::path(file).parent_path());
+}
+
+void run(const PrintCommand& command)
+{
+    fmt::print("{}", command.text);
+}
+
+namespace
+{
+
+/// Rows of one group together, in the order in which groups first appear.
+std::vector<FieldRow> groupedRows(const FieldTree& tree)
+{
+    std::vector<FieldRow> rows = listFields(tree);
+    std::vector<std::string> groups;
+    const auto groupOf = [](const FieldRow& row) { return row.key.substr(0, row.key.find('.')); };
+    for (const FieldRow& row : rows)
+        if (std::find(groups.begin(), groups.end(), groupOf(row)) == groups.end())
+            groups.push_back(groupOf(row));
+    const auto rank = [&](const FieldRow& row) {
+        return std::find(groups.begin(), groups.end(), groupOf(row));
+    };
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const FieldRow& a, const FieldRow& b) { return rank(a) < rank(b); });
+    return rows;
+}
+
+} // namespace
+
+void run(const OptionsCommand& command)
+{
+    requireWritableJson(command.json);
+    Settings settings;
+    const std::vector<FieldRow> rows = groupedRows(fieldTree(settings));
+    if (!command.json.empty()) {
+        nlohmann::json json = nlohmann::json::array();
+        for (const FieldRow& row : rows)
+            json.push_back({{"key", row.key},
+                            {"type", row.type},
+                            {"default", row.value},
+                            {"range", row.range},
+                            {"unit", row.unit},
+                            {"doc", row.doc}});
+        writeJson(command.json, json);
+        return;
+    }
+    fmt::print("{:<31}{:<8}{:<12}{:<28}{:<10}{}\n", "key", "type", "default", "range", "unit", "what it is");
+    for (const FieldRow& row : rows)
+        fmt::print("{:<31}{:<8}{:<12}{:<28}{:<10}{}\n", row.key, row.type, row.value, row.range, row.unit,
+                   row.doc);
+}
+
+void run(const ExplainCommand& command)
+{
+    requireWritableJson(command.json);
+    Stage stage;
+    {
+        TerminalProgress progress;
+        stage = loadStage(command.scene, &progress);
+    }
+    const Camera camera = chooseCamera(stage.scene, command.view.camera);
+    const FramePlan plan = planFrame(stage.scene, stage.settings.water, camera, stage.settings.options,
+                                     command.view.size, command.view.time);
+    writeJson(command.json, toJson(plan));
+    if (command.json != "-") fmt::print("{}", toTable(plan));
+}
+
+} // namespace tarn

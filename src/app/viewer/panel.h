@@ -1,0 +1,17 @@
+// The panel with every option, made from their visitor.
+#pragma once
+
+#include "base/fields.h"
+
+namespace tarn
+{
+
+struct PanelResult {
+    bool changed = false; ///< some field of the tree was set
+    bool reset = false;   ///< the person wants the settings that the viewer started with
+};
+
+/// Between ImGuiLayer::beginFrame and draw.
+PanelResult drawPanel(const FieldTree& tree, float scale, bool& open);
+
+} // namespace tarn

@@ -1,0 +1,305 @@
+#include "app/viewer/viewer.h"
+
+#include "app/program.h"
+#include "app/version.h"
+#include "app/viewer/display_guard.h"
+#include "app/viewer/hud.h"
+#include "app/viewer/loading.h"
+#include "app/viewer/panel.h"
+#include "app/viewer/screenshot.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "gl/framebuffer.h"
+
+#include <GLFW/glfw3.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace tarn
+{
+
+namespace
+{
+
+constexpr double loadingFrameSeconds = 1.0 / 30.0;
+constexpr double messageSeconds = 4.0;
+constexpr double idleSeconds = 0.2; // between looks at a window that shows nothing
+
+double steadySeconds()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void makeFullscreen(GLFWwindow* window)
+{
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) throw Error("--fullscreen: this display has no monitor to fill; leave --fullscreen away");
+    glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+/// Runs a function at most thirty times a second while something else reports.
+class DrawingProgress : public Progress
+{
+public:
+    explicit DrawingProgress(std::function<void(const SharedProgress::State&)> draw) : draw_(std::move(draw))
+    {
+    }
+
+    void report(double fraction, const std::string& what) override
+    {
+        shared_.report(fraction, what);
+        const double now = steadySeconds();
+        if (now - last_ < loadingFrameSeconds) return;
+        last_ = now;
+        draw_(shared_.state());
+    }
+
+private:
+    std::function<void(const SharedProgress::State&)> draw_;
+    SharedProgress shared_;
+    double last_ = 0.0;
+};
+
+bool visible(const gl::Window& window)
+{
+    const ivec2 size = window.framebufferSize();
+    return size.x > 0 && size.y > 0 && glfwGetWindowAttrib(window.handle(), GLFW_VISIBLE) &&
+           !glfwGetWindowAttrib(window.handle(), GLFW_ICONIFIED);
+}
+
+void toggle(bool& option)
+{
+    option = !option;
+}
+
+} // namespace
+
+void runViewer(const ViewCommand& command)
+{
+    Viewer(command).run();
+}
+
+Viewer::Viewer(const ViewCommand& command)
+    : command_(command), window_({.title = "Tarn", .size = command.view.size, .vsync = command.vsync}),
+      input_(window_.handle()), widgets_(window_.handle()), clock_(command.view.time)
+{
+    guardDisplay();
+    input_.setWidgets(&widgets_);
+    if (command.fullscreen) makeFullscreen(window_.handle());
+    profiler_.setSynchronous(
+        window_.isSoftware()); // else the HUD would show when passes were asked for, not drawn
+}
+
+void Viewer::run()
+{
+    if (!load()) return;
+    makeRenderer();
+    for (int drawn = 0; !leaving_ && !window_.shouldClose();) {
+        if (!visible(window_)) {
+            glfwWaitEventsTimeout(idleSeconds);
+            lastFrame_ = 0.0; // the time away is no frame
+            continue;
+        }
+        glfwPollEvents();
+        frame();
+        if (command_.frames > 0 && ++drawn >= command_.frames) break;
+    }
+}
+
+bool Viewer::load()
+{
+    BackgroundLoad loading(command_.scene);
+    while (!loading.done()) {
+        glfwWaitEventsTimeout(loadingFrameSeconds);
+        for (const KeyCommand& command : input_.takeCommands())
+            if (command.action == Action::leave) leaving_ = true;
+        if (leaving_ || window_.shouldClose()) {
+            glfwHideWindow(window_.handle()); // gone for the eye; the reader ends when it has read
+            return false;
+        }
+        drawLoadingFrame(loading.progress());
+    }
+    stage_ = loading.take();
+    startSettings_ = stage_.settings;
+    camera_.jumpTo(chooseCamera(stage_.scene, command_.view.camera));
+    return true;
+}
+
+void Viewer::drawLoadingFrame(const SharedProgress::State& state)
+{
+    const ivec2 size = window_.framebufferSize();
+    if (size.x < 1 || size.y < 1) return;
+    widgets_.beginFrame();
+    drawLoading(state, widgets_.scale());
+    const gl::Framebuffer screen = gl::Framebuffer::window(size);
+    screen.bind();
+    screen.clearColour(vec4(0.08f, 0.12f, 0.15f, 1.0f));
+    widgets_.draw();
+    window_.swap();
+}
+
+void Viewer::makeRenderer()
+{
+    DrawingProgress progress([this](const SharedProgress::State& state) {
+        glfwPollEvents();
+        drawLoadingFrame(state);
+    });
+    shaders_ = makeShaderLibrary();
+    renderer_ =
+        std::make_unique<Renderer>(stage_.scene, stage_.settings.options, *shaders_, profiler_, &progress);
+    renderer_->setOptions(stage_.settings.options, stage_.settings.water);
+}
+
+void Viewer::frame()
+{
+    const double now = steadySeconds();
+    const double seconds = lastFrame_ > 0.0 ? now - lastFrame_ : 0.0;
+    lastFrame_ = now;
+    clock_.advance(now);
+    takeInput(seconds);
+    shaders_->pollChanges();
+
+    const ivec2 size = window_.framebufferSize();
+    if (size.x < 1 || size.y < 1) return;
+    const FrameStats& stats = renderer_->render({camera_.camera(), clock_.time(), size, view_});
+    if (screenshotWanted_) takeScreenshot();
+    renderer_->presentToWindow(size);
+    measure(seconds);
+
+    widgets_.beginFrame();
+    drawWidgets(stats);
+    gl::Framebuffer::window(size).bind();
+    widgets_.draw();
+    window_.swap();
+}
+
+void Viewer::takeInput(double seconds)
+{
+    for (const KeyCommand& command : input_.takeCommands())
+        obey(command);
+    int windowWidth = 0, windowHeight = 0;
+    glfwGetWindowSize(window_.handle(), &windowWidth, &windowHeight);
+    const vec2 look = input_.takeLook();
+    if (look != vec2(0.0f)) camera_.look(look, static_cast<float>(windowHeight));
+    const double wheel = input_.takeWheel();
+    if (wheel != 0.0) {
+        camera_.changeSpeed(wheel);
+        say(fmt::format("speed {:.2g} m/s", camera_.speed()));
+    }
+    camera_.move(input_.held().direction(), input_.held().fast(), seconds);
+}
+
+void Viewer::obey(const KeyCommand& command)
+{
+    Options& options = stage_.settings.options;
+    const auto switched = [&](bool& option, const char* name) {
+        toggle(option);
+        renderer_->setOptions(options, stage_.settings.water);
+        say(fmt::format("{} {}", name, option ? "on" : "off"));
+    };
+    switch (command.action) {
+    case Action::camera:
+        return jumpToCamera(command.index);
+    case Action::caustics:
+        return switched(options.caustics.enabled, "caustics");
+    case Action::underwater:
+        return switched(options.underwater.enabled, "underwater effects");
+    case Action::glow:
+        return switched(options.glow.enabled, "glow");
+    case Action::reflection:
+        return switched(options.reflection.enabled, "reflection");
+    case Action::refraction:
+        return switched(options.refraction.enabled, "refraction");
+    case Action::pause:
+        return clock_.togglePause();
+    case Action::nextView:
+        view_ = static_cast<DebugView>((static_cast<int>(view_) + 1) % debugViewCount);
+        return say(fmt::format("view: {}", debugViewNames[static_cast<std::size_t>(view_)]));
+    case Action::help:
+        return toggle(helpOpen_);
+    case Action::panel:
+        return toggle(panelOpen_);
+    case Action::screenshot:
+        screenshotWanted_ = true;
+        return;
+    case Action::leave:
+        leaving_ = true;
+        return;
+    default:
+        return; // held keys: HeldKeys knows them
+    }
+}
+
+void Viewer::jumpToCamera(int index)
+{
+    const std::vector<Camera>& cameras = stage_.scene.cameras;
+    if (index >= static_cast<int>(cameras.size()))
+        return say(
+            fmt::format("the scene has {} camera{} only", cameras.size(), cameras.size() == 1 ? "" : "s"));
+    const Camera& camera = cameras[static_cast<std::size_t>(index)];
+    camera_.jumpTo(camera);
+    say(fmt::format("camera {}", camera.name));
+}
+
+void Viewer::drawWidgets(const FrameStats& stats)
+{
+    const double now = lastFrame_;
+    const HudState hud{.rate = rate_,
+                       .camera = camera_,
+                       .scene = stage_.scene.name,
+                       .view = debugViewNames[static_cast<std::size_t>(view_)],
+                       .time = clock_.time(),
+                       .paused = clock_.paused(),
+                       .underwater = stats.plan.underwater,
+                       .triangles = stats.triangles(),
+                       .message = now < messageUntil_ ? message_ : "",
+                       .shaderError = shaders_->lastError()};
+    drawHud(hud, widgets_.scale());
+    if (helpOpen_) drawHelp(widgets_.scale(), helpOpen_);
+    if (panelOpen_) {
+        const PanelResult result = drawPanel(fieldTree(stage_.settings), widgets_.scale(), panelOpen_);
+        if (result.reset) stage_.settings = startSettings_;
+        if (result.reset || result.changed)
+            renderer_->setOptions(stage_.settings.options, stage_.settings.water);
+    }
+    // Window managers are slow with titles, and eyes are slower.
+    if (now - lastTitle_ >= 0.5) {
+        lastTitle_ = now;
+        window_.setTitle(titleText(hud));
+    }
+}
+
+void Viewer::takeScreenshot()
+{
+    screenshotWanted_ = false;
+    try {
+        const std::filesystem::path file = nextScreenshot(std::filesystem::current_path());
+        writeImage(file, renderer_->readDisplay(),
+                   {{"tarn:version", versionText()}, {"tarn:settings", settingsJson(stage_.settings)}});
+        say("saved " + file.string());
+        log::info("saved {}", file.string());
+    } catch (const std::exception& error) { // a full disk is no reason to leave the lake
+        say(error.what());
+        log::error("{}", error.what());
+    }
+}
+
+void Viewer::say(const std::string& message)
+{
+    message_ = message;
+    messageUntil_ = steadySeconds() + messageSeconds;
+}
+
+void Viewer::measure(double seconds)
+{
+    std::vector<ShownTime> passes;
+    for (const gl::PassTime& time : profiler_.latest()) {
+        const bool gpu = time.gpuMs >= 0.0 && !profiler_.isSynchronous();
+        if (time.name != "frame") passes.push_back({time.name, gpu ? time.gpuMs : time.wallMs});
+    }
+    rate_.add(seconds, passes);
+}
+
+} // namespace tarn

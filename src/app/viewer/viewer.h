@@ -1,0 +1,70 @@
+// The window in which a person walks round the lake.
+#pragma once
+
+#include "app/command_line.h"
+#include "app/stage.h"
+#include "app/viewer/fly_camera.h"
+#include "app/viewer/frame_rate.h"
+#include "app/viewer/glfw_input.h"
+#include "app/viewer/imgui_layer.h"
+#include "app/viewer/scene_clock.h"
+#include "gl/profiler.h"
+#include "gl/shader_library.h"
+#include "gl/window.h"
+#include "render/renderer.h"
+
+#include <memory>
+#include <string>
+
+namespace tarn
+{
+
+class Viewer
+{
+public:
+    /// Opens the window.
+    explicit Viewer(const ViewCommand& command);
+
+    /// Loads the scene and shows it until the person leaves.
+    void run();
+
+private:
+    /// False when the person left meanwhile.
+    bool load();
+    void drawLoadingFrame(const SharedProgress::State& state);
+    void makeRenderer();
+
+    void frame();
+    void takeInput(double seconds);
+    void obey(const KeyCommand& command);
+    void jumpToCamera(int index);
+    void drawWidgets(const FrameStats& stats);
+    void takeScreenshot();
+    void say(const std::string& message);
+    void measure(double seconds);
+
+    ViewCommand command_;
+    // In this order, so that all GL objects are gone before the window's context is.
+    gl::Window window_;
+    GlfwInput input_;
+    ImGuiLayer widgets_;
+    Stage stage_;
+    Settings startSettings_;
+    std::unique_ptr<gl::ShaderLibrary> shaders_;
+    gl::Profiler profiler_;
+    std::unique_ptr<Renderer> renderer_;
+
+    FlyCamera camera_{Camera{}};
+    SceneClock clock_;
+    FrameRate rate_;
+    DebugView view_ = DebugView::final;
+    double lastFrame_ = 0.0; ///< steady seconds; 0 before the first
+    double lastTitle_ = 0.0;
+    std::string message_;
+    double messageUntil_ = 0.0;
+    bool helpOpen_ = false, panelOpen_ = false;
+    bool screenshotWanted_ = false;
+    bool leaving_ = false;
+};
+
+} // namespace tarn

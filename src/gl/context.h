@@ -1,0 +1,68 @@
+// A current OpenGL 3.3 core context, wherever it came from, and what the driver behind it says and can do.
+//
+// Three ways lead to one: a window (gl/window.h, library tarn_gl_glfw), EGL without a surface (tarn_gl_egl)
+// and OSMesa (tarn_gl_osmesa). The last two both define makeHeadlessContext, so a program links exactly one
+// of them.
+#pragma once
+
+#include "base/math.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace tarn::gl
+{
+
+class Context
+{
+public:
+    virtual ~Context() = default;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    virtual void makeCurrent() = 0;
+    /// In pixels; {0, 0} while a window is minimised. A headless context answers the size it was made with.
+    virtual ivec2 framebufferSize() const = 0;
+
+    /// GL_RENDERER: "llvmpipe (LLVM 15.0.6, 256 bits)".
+    std::string renderer() const;
+    /// GL_VERSION.
+    std::string version() const;
+    /// True when the pictures are made by the CPU (llvmpipe, softpipe, SwiftShader).
+    bool isSoftware() const;
+
+protected:
+    /// @param origin "EGL", "OSMesa" or "window", for messages.
+    explicit Context(std::string origin) : origin_(std::move(origin)) {}
+    /// Loads the functions and starts listening to the driver; call once, with the context current. Throws
+    /// Error when it is not OpenGL 3.3 core or newer.
+    /// @param debug every message at the call that caused it (slower), performance hints in the debug log
+    void initialise(bool debug);
+
+private:
+    std::string origin_;
+};
+
+/// A context without a window. Throws Error that says what was tried when there is none.
+/// @param size of the framebuffer, which exists with OSMesa only: draw into targets and read those.
+std::unique_ptr<Context> makeHeadlessContext(ivec2 size, bool debug = false);
+
+/// What the current context offers beyond OpenGL 3.3. The 3.3 way must stand beside every use.
+struct Capabilities {
+    bool debug = false;         ///< KHR_debug: labels, groups, messages
+    float maxAnisotropy = 1.0f; ///< 1 where EXT_texture_filter_anisotropic is missing
+    int maxSamples = 1;
+    int maxTextureSize = 1024;
+};
+const Capabilities& capabilities();
+
+/// Messages of type error that the driver has sent since the program started. Any of them fails a test.
+int debugErrorCount();
+/// The latest of them, or "".
+std::string lastDebugError();
+
+/// Throws Error with the name of every error that glGetError holds.
+void checkErrors(const char* where);
+
+} // namespace tarn::gl

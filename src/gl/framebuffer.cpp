@@ -1,0 +1,253 @@
+#include "gl/framebuffer.h"
+
+#include "base/error.h"
+#include "gl/context.h"
+#include "gl/format_gl.h"
+
+#include <utility>
+
+namespace tarn::gl
+{
+
+namespace
+{
+
+std::string describe(const Attachment& a)
+{
+    const ivec2 size = a.size();
+    const std::string samples = a.samples() > 1 ? fmt::format(" {} samples", a.samples()) : "";
+    const std::string& label = a.texture ? a.texture->label() : a.renderbuffer->label();
+    return fmt::format("\"{}\" {} {}x{}{}", label, formatName(a.format()), size.x, size.y, samples);
+}
+
+[[noreturn]] void fail(const std::string& label, std::span<const Attachment> attachments,
+                       const std::string& reason)
+{
+    std::string list;
+    for (const Attachment& a : attachments)
+        list += fmt::format("{}{}", list.empty() ? "" : ", ", describe(a));
+    throw Error("framebuffer \"{}\" cannot be drawn into: {} (attachments: {})", label, reason,
+                list.empty() ? "none" : list);
+}
+
+const char* statusText(GLenum status)
+{
+    switch (status) {
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+        return "an attachment is incomplete";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+        return "it has no attachment";
+    case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
+        return "a draw buffer has no attachment";
+    case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER:
+        return "the read buffer has no attachment";
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+        return "the driver does not support these formats together";
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
+        return "the attachments differ in samples";
+    default:
+        return "unknown reason";
+    }
+}
+
+void attach(const Attachment& a, GLenum point)
+{
+    if (a.renderbuffer) {
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, a.renderbuffer->name());
+        return;
+    }
+    GLenum target = GL_TEXTURE_2D;
+    if (a.samples() > 1)
+        target = GL_TEXTURE_2D_MULTISAMPLE;
+    else if (a.texture->desc().kind == TextureKind::cube) {
+        target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(a.face);
+    }
+    glFramebufferTexture2D(GL_FRAMEBUFFER, point, target, a.texture->name(), a.level);
+}
+
+GLenum colourPoint(int output)
+{
+    return GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output);
+}
+
+void drawIntoAll(int colourCount)
+{
+    std::vector<GLenum> points;
+    for (int i = 0; i < colourCount; ++i)
+        points.push_back(colourPoint(i));
+    if (points.empty()) points.push_back(GL_NONE);
+    glDrawBuffers(static_cast<GLsizei>(points.size()), points.data());
+}
+
+/// Binds for a moment and puts back what was bound before.
+class ScopedBinding
+{
+public:
+    ScopedBinding(GLenum target, Name name) : target_(target)
+    {
+        const GLenum query =
+            target == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING : GL_DRAW_FRAMEBUFFER_BINDING;
+        glGetIntegerv(query, &previous_);
+        glBindFramebuffer(target, name);
+    }
+    ~ScopedBinding() { glBindFramebuffer(target_, static_cast<GLuint>(previous_)); }
+    ScopedBinding(const ScopedBinding&) = delete;
+    ScopedBinding& operator=(const ScopedBinding&) = delete;
+
+private:
+    GLenum target_;
+    GLint previous_ = 0;
+};
+
+std::size_t pixelCount(ivec2 size)
+{
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
+} // namespace
+
+Renderbuffer::Renderbuffer(Format format, ivec2 size, int samples, std::string label)
+    : object_(Object::Kind::renderbuffer, std::move(label)), format_(format), size_(size), samples_(samples)
+{
+    const int limit = capabilities().maxTextureSize;
+    if (size.x < 1 || size.y < 1 || size.x > limit || size.y > limit) {
+        throw Error("renderbuffer \"{}\": size {}x{} is not within 1x1 and {}x{}", this->label(), size.x,
+                    size.y, limit, limit);
+    }
+    if (samples < 1 || samples > capabilities().maxSamples) {
+        throw Error("renderbuffer \"{}\": {} samples, but this driver takes 1 to {}", this->label(), samples,
+                    capabilities().maxSamples);
+    }
+    glBindRenderbuffer(GL_RENDERBUFFER, object_.name());
+    object_.announceLabel();
+    // 0 samples is OpenGL's word for "not multisampled"; 1 may be rounded up to 2.
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, internalFormat(format),
+                                     size.x, size.y);
+}
+
+Framebuffer::Framebuffer(std::string label, std::span<const Attachment> attachments)
+{
+    if (attachments.empty()) fail(label, attachments, "it has no attachment");
+    size_ = attachments.front().size();
+    samples_ = attachments.front().samples();
+    object_ = Object(Object::Kind::framebuffer, std::move(label));
+    glBindFramebuffer(GL_FRAMEBUFFER, object_.name());
+    object_.announceLabel();
+    for (const Attachment& a : attachments) {
+        if (a.size() != size_) fail(this->label(), attachments, "the attachments differ in size");
+        if (a.samples() != samples_) fail(this->label(), attachments, "the attachments differ in samples");
+        if (isDepth(a.format()) && hasDepth_)
+            fail(this->label(), attachments, "it has two depth attachments");
+        if (isDepth(a.format())) {
+            hasDepth_ = true;
+            attach(a, GL_DEPTH_ATTACHMENT);
+        } else {
+            attach(a, colourPoint(colourCount_++));
+        }
+    }
+    drawIntoAll(colourCount_);
+    glReadBuffer(colourCount_ > 0 ? GL_COLOR_ATTACHMENT0 : GL_NONE);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE) fail(this->label(), attachments, statusText(status));
+}
+
+Framebuffer Framebuffer::window(ivec2 size)
+{
+    Framebuffer result;
+    result.size_ = size;
+    result.colourCount_ = 1;
+    result.hasDepth_ = true;
+    return result;
+}
+
+void Framebuffer::bind() const
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, object_.name());
+    glViewport(0, 0, size_.x, size_.y);
+}
+
+void Framebuffer::clearColour(const vec4& value, int output) const
+{
+    const ScopedBinding binding(GL_DRAW_FRAMEBUFFER, object_.name());
+    GLboolean mask[4];
+    glGetBooleanv(GL_COLOR_WRITEMASK, mask);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearBufferfv(GL_COLOR, output, &value.x);
+    glColorMask(mask[0], mask[1], mask[2], mask[3]);
+}
+
+void Framebuffer::clearDepth(float value) const
+{
+    const ScopedBinding binding(GL_DRAW_FRAMEBUFFER, object_.name());
+    GLboolean mask = GL_TRUE;
+    glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
+    glDepthMask(GL_TRUE);
+    glClearBufferfv(GL_DEPTH, 0, &value);
+    glDepthMask(mask);
+}
+
+void Framebuffer::blitTo(const Framebuffer& destination, const Copy& copy) const
+{
+    if (samples_ > 1 && size_ != destination.size_) {
+        throw Error(
+            "samples of framebuffer \"{}\" ({}x{}) cannot be resolved into \"{}\" ({}x{}): the sizes differ",
+            label(), size_.x, size_.y, destination.label(), destination.size_.x, destination.size_.y);
+    }
+    const ScopedBinding read(GL_READ_FRAMEBUFFER, object_.name());
+    const ScopedBinding draw(GL_DRAW_FRAMEBUFFER, destination.object_.name());
+    // A blit writes every draw buffer, so only the chosen one may be enabled. The window's are its own
+    // affair.
+    const bool chooseOutput = copy.colour && destination.object_ && destination.colourCount_ > 1;
+    if (copy.colour && object_) glReadBuffer(colourPoint(copy.output));
+    if (chooseOutput) {
+        std::vector<GLenum> points(static_cast<std::size_t>(copy.output) + 1, GL_NONE);
+        points.back() = colourPoint(copy.output);
+        glDrawBuffers(static_cast<GLsizei>(points.size()), points.data());
+    }
+    const GLbitfield mask = (copy.colour ? GL_COLOR_BUFFER_BIT : GLbitfield{0}) |
+                            (copy.depth ? GL_DEPTH_BUFFER_BIT : GLbitfield{0});
+    // OpenGL allows depth to be copied texel by texel only.
+    const bool smooth = copy.filter == Filter::linear && !copy.depth && samples_ == 1;
+    glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, destination.size_.x, destination.size_.y, mask,
+                      smooth ? GL_LINEAR : GL_NEAREST);
+    if (chooseOutput) drawIntoAll(destination.colourCount_);
+    if (copy.colour && object_) glReadBuffer(GL_COLOR_ATTACHMENT0);
+}
+
+void Framebuffer::beginRead(int output) const
+{
+    if (samples_ > 1) throw Error("framebuffer \"{}\" is multisampled; resolve it before reading", label());
+    if (output >= colourCount_) throw Error("framebuffer \"{}\" has no colour output {}", label(), output);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    if (object_) glReadBuffer(colourPoint(output));
+}
+
+std::vector<float> Framebuffer::readFloats(int output) const
+{
+    const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
+    beginRead(output);
+    std::vector<float> values(4 * pixelCount(size_));
+    glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_FLOAT, values.data());
+    return values;
+}
+
+std::vector<std::uint8_t> Framebuffer::readBytes(int output) const
+{
+    const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
+    beginRead(output);
+    std::vector<std::uint8_t> values(4 * pixelCount(size_));
+    glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, values.data());
+    return values;
+}
+
+std::vector<float> Framebuffer::readDepth() const
+{
+    if (!hasDepth_ || samples_ > 1) throw Error("framebuffer \"{}\" has no depth that can be read", label());
+    const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    std::vector<float> values(pixelCount(size_));
+    glReadPixels(0, 0, size_.x, size_.y, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
+    return values;
+}
+
+} // namespace tarn::gl

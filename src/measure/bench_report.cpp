@@ -1,0 +1,97 @@
+// How a benchmark is told: JSON for programs, tables for people.
+#include "measure/benchmark.h"
+#include "measure/statistics.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace tarn
+{
+
+namespace
+{
+
+nlohmann::json summaryJson(const std::vector<double>& samples)
+{
+    if (samples.empty()) return nullptr;
+    const Summary s = summarise(samples);
+    return {{"count", s.count}, {"minimum", s.minimum}, {"median", s.median},
+            {"mean", s.mean},   {"p95", s.p95},         {"maximum", s.maximum}};
+}
+
+nlohmann::json seriesJson(const BenchSeries& series)
+{
+    return {{"wall_ms", summaryJson(series.wallMs)},
+            {"cpu_ms", summaryJson(series.cpuMs)},
+            {"triangles", series.triangles}};
+}
+
+std::string cell(const std::vector<double>& samples, double fraction)
+{
+    return samples.empty() ? fmt::format("{:>10}", "-")
+                           : fmt::format("{:>10.2f}", percentile(samples, fraction));
+}
+
+std::string row(const std::string& name, const BenchSeries& series)
+{
+    return fmt::format("  {:<14}{}{}{}{}{:>12}\n", name, cell(series.wallMs, 0.5), cell(series.wallMs, 0.95),
+                       cell(series.cpuMs, 0.5), cell(series.cpuMs, 0.95), series.triangles);
+}
+
+} // namespace
+
+nlohmann::json toJson(const BenchReport& report)
+{
+    nlohmann::json json;
+    for (const auto& [key, value] : report.context)
+        json["context"][key] = value;
+    json["frames"] = report.plan.frames;
+    json["warm_up"] = report.plan.warmUp;
+    json["configurations"] = nlohmann::json::array();
+    for (const BenchResult& result : report.results) {
+        nlohmann::json entry{{"name", result.name}, {"frame", seriesJson(result.frame)}};
+        entry["passes"] = nlohmann::json::array();
+        for (const auto& [name, series] : result.passes) {
+            nlohmann::json pass = seriesJson(series);
+            pass["name"] = name;
+            entry["passes"].push_back(std::move(pass));
+        }
+        json["configurations"].push_back(std::move(entry));
+    }
+    json["ratios"] = nlohmann::json::array();
+    const BenchResult& base = report.results.back();
+    for (std::size_t i = 0; i + 1 < report.results.size(); ++i) {
+        const BenchResult& result = report.results[i];
+        json["ratios"].push_back({{"of", result.name},
+                                  {"to", base.name},
+                                  {"wall", medianRatio(result.frame.wallMs, base.frame.wallMs)},
+                                  {"cpu", medianRatio(result.frame.cpuMs, base.frame.cpuMs)}});
+    }
+    return json;
+}
+
+std::string toTable(const BenchReport& report)
+{
+    std::string text;
+    for (const auto& [key, value] : report.context)
+        text += fmt::format("{:<16}{}\n", key, value);
+    text += fmt::format("{:<16}{} of each configuration, taking turns, after {} to warm up\n", "frames",
+                        report.plan.frames, report.plan.warmUp);
+    for (const BenchResult& result : report.results) {
+        text += fmt::format("\n{:<16}{:>10}{:>10}{:>10}{:>10}{:>12}\n", result.name, "wall ms", "95 %",
+                            "cpu ms", "95 %", "triangles");
+        for (const auto& [name, series] : result.passes)
+            text += row(name, series);
+        text += row("frame", result.frame);
+    }
+    const BenchResult& base = report.results.back();
+    for (std::size_t i = 0; i + 1 < report.results.size(); ++i) {
+        const BenchResult& result = report.results[i];
+        text += fmt::format("\n{} costs {:.2f} x {} (wall time) and {:.2f} x (processor time)\n", result.name,
+                            medianRatio(result.frame.wallMs, base.frame.wallMs), base.name,
+                            medianRatio(result.frame.cpuMs, base.frame.cpuMs));
+    }
+    return text;
+}
+
+} // namespace tarn

@@ -1,0 +1,97 @@
+#include "measure/image_compare.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace tarn
+{
+
+namespace
+{
+
+void requireBytes(const Image& image)
+{
+    if (image.isFloat() || image.bytes.size() != image.size())
+        throw Error("{}: only 8-bit pictures are compared with goldens", image.name);
+}
+
+std::string mismatchOf(const Image& expected, const Image& actual)
+{
+    if (expected.width != actual.width || expected.height != actual.height)
+        return fmt::format("expected a picture of {}x{} pixels, got {}x{}", expected.width, expected.height,
+                           actual.width, actual.height);
+    if (expected.channels != actual.channels)
+        return fmt::format("expected {} channels, got {}", expected.channels, actual.channels);
+    return {};
+}
+
+/// Pixels that a share allows, rounded down: none in a small picture.
+std::size_t allowed(double share, std::size_t pixels)
+{
+    return static_cast<std::size_t>(share * static_cast<double>(pixels));
+}
+
+} // namespace
+
+bool PictureComparison::same() const
+{
+    return mismatch.empty() && overChannel <= allowed(tolerance.share, pixels) &&
+           overHardLimit <= allowed(tolerance.hardShare, pixels);
+}
+
+std::string PictureComparison::summary() const
+{
+    if (!mismatch.empty()) return mismatch;
+    if (largest == 0) return "identical";
+    return fmt::format(
+        "{} of {} pixels differ by more than {}/255 ({} may), {} by more than {}/255 ({} may); "
+        "the largest difference is {}/255, at pixel {},{}",
+        overChannel, pixels, tolerance.channel, allowed(tolerance.share, pixels), overHardLimit,
+        tolerance.hardLimit, allowed(tolerance.hardShare, pixels), largest, largestAt.x, largestAt.y);
+}
+
+PictureComparison comparePictures(const Image& expected, const Image& actual,
+                                  const PictureTolerance& tolerance)
+{
+    requireBytes(expected);
+    requireBytes(actual);
+    PictureComparison result;
+    result.tolerance = tolerance;
+    result.mismatch = mismatchOf(expected, actual);
+    if (!result.mismatch.empty()) return result;
+
+    const auto channels = static_cast<std::size_t>(expected.channels);
+    const auto width = static_cast<std::size_t>(expected.width);
+    result.pixels = width * static_cast<std::size_t>(expected.height);
+    for (std::size_t pixel = 0; pixel < result.pixels; ++pixel) {
+        int difference = 0;
+        for (std::size_t i = pixel * channels; i < (pixel + 1) * channels; ++i)
+            difference = std::max(difference, std::abs(int{expected.bytes[i]} - int{actual.bytes[i]}));
+        result.overChannel += difference > tolerance.channel;
+        result.overHardLimit += difference > tolerance.hardLimit;
+        if (difference > result.largest) {
+            result.largest = difference;
+            result.largestAt = {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
+        }
+    }
+    return result;
+}
+
+Image differencePicture(const Image& expected, const Image& actual, int gain)
+{
+    requireBytes(expected);
+    requireBytes(actual);
+    if (const std::string mismatch = mismatchOf(expected, actual); !mismatch.empty())
+        throw Error("{}: {}", actual.name, mismatch);
+    Image result = expected;
+    result.name = "difference of " + actual.name;
+    for (std::size_t i = 0; i < result.bytes.size(); ++i) {
+        const int difference = std::abs(int{expected.bytes[i]} - int{actual.bytes[i]});
+        result.bytes[i] = static_cast<std::uint8_t>(std::min(255, gain * difference));
+    }
+    return result;
+}
+
+} // namespace tarn

@@ -1,0 +1,105 @@
+#include "plan/frame_plan.h"
+
+#include "optics/waves.h"
+
+#include <cmath>
+
+namespace tarn {
+
+const char* passName(PassId pass)
+{
+    constexpr const char* names[passCount] = {"refraction", "reflection", "scene", "water", "present"};
+    return names[static_cast<std::size_t>(pass)];
+}
+
+float totalAmplitude(const WaterBody& water)
+{
+    float sum = 0.0f;
+    for (const Wave& wave : water.waves) sum += std::abs(wave.amplitude);
+    return sum;
+}
+
+Bounds waterBounds(const WaterBody& water)
+{
+    const float amplitude = totalAmplitude(water);
+    const vec2 half = 0.5f * water.extent;
+    Bounds bounds;
+    bounds.add(vec3(water.centre.x - half.x, water.level - amplitude, water.centre.y - half.y));
+    bounds.add(vec3(water.centre.x + half.x, water.level + amplitude, water.centre.y + half.y));
+    return bounds;
+}
+
+float surfaceHeight(const WaterBody& water, vec2 xz, double time)
+{
+    double height = water.level;
+    for (const Wave& wave : water.waves) {
+        const auto term =
+            optics64::makeWaveTerm(wave.amplitude, wave.wavelength, wave.direction, wave.phase, wave.period);
+        height += optics64::waveTerm(term, glm::dvec2(xz), time).x;
+    }
+    return static_cast<float>(height);
+}
+
+namespace {
+
+bool overWaterRect(const WaterBody& water, const vec3& pointW)
+{
+    return std::abs(pointW.x - water.centre.x) <= 0.5f * water.extent.x &&
+           std::abs(pointW.z - water.centre.y) <= 0.5f * water.extent.y;
+}
+
+PassPlan wanted(std::string reason, ivec2 size, std::string dependsOn)
+{
+    return {true, std::move(reason), size, std::move(dependsOn)};
+}
+
+PassPlan unwanted(std::string reason) { return {false, std::move(reason), ivec2(0), ""}; }
+
+/// Why no water is drawn, or nothing when it is.
+std::string whyNoWater(const WaterBody& water, const Camera& camera, const Options& options, ivec2 size)
+{
+    if (!water.present) return "the scene has no water";
+    if (!options.water.enabled) return "water.enabled is off";
+    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+    const Frustum frustum(clipFromView(camera, aspect) * viewFromWorld(camera));
+    if (!frustum.intersects(waterBounds(water))) return "no water in the view's frustum";
+    return "";
+}
+
+} // namespace
+
+FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
+                    ivec2 size, double time)
+{
+    (void)scene;
+    FramePlan plan;
+    plan[PassId::scene] = wanted("what the eye sees, without the water", size, "");
+    plan[PassId::present] = wanted("tone mapping to the display", size, "scene, water");
+
+    plan.underwater = water.present && options.water.enabled && options.underwater.enabled &&
+                      overWaterRect(water, camera.eye) &&
+                      camera.eye.y < surfaceHeight(water, vec2(camera.eye.x, camera.eye.z), time);
+
+    const std::string noWater = whyNoWater(water, camera, options, size);
+    if (!noWater.empty()) {
+        for (const PassId pass : {PassId::refraction, PassId::reflection, PassId::water})
+            plan[pass] = unwanted(noWater);
+        return plan;
+    }
+
+    plan[PassId::water] = wanted(plan.underwater ? "the surface seen from below" : "the surface is in the view",
+                                 size, "scene, refraction, reflection");
+    plan[PassId::refraction] =
+        options.refraction.enabled
+            ? wanted(plan.underwater ? "what stands over the water, seen from below" : "the bed under the surface",
+                     ivec2(options.refraction.targetSize), "")
+            : unwanted("refraction.enabled is off: the water shows its own colour");
+    plan[PassId::reflection] =
+        options.reflection.enabled
+            ? wanted(plan.underwater ? "the bed mirrored in the surface from below" : "what the surface mirrors",
+                     ivec2(options.reflection.targetSize), "")
+            : unwanted("reflection.enabled is off: the water mirrors the sky alone");
+    return plan;
+}
+
+} // namespace tarn

@@ -1,0 +1,47 @@
+// Which passes a frame runs, and why: a pure function of the scene, the view and the options.
+#pragma once
+
+#include "plan/options.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <string>
+
+namespace tarn {
+
+/// In the order in which a frame runs them.
+enum class PassId { refraction, reflection, scene, water, present };
+inline constexpr std::size_t passCount = 5;
+
+/// "refraction", "reflection", … as shown by the profiler, the HUD and `tarn explain`.
+const char* passName(PassId pass);
+
+struct PassPlan {
+    bool wanted = false;
+    std::string reason;       ///< why, or why not, in words
+    ivec2 size{0};            ///< of its target, pixels
+    std::string dependsOn;    ///< the passes whose targets it reads
+};
+
+struct FramePlan {
+    std::array<PassPlan, passCount> passes;
+    bool underwater = false; ///< the eye is below the water's surface (and underwater.enabled is on)
+
+    const PassPlan& operator[](PassId pass) const { return passes[static_cast<std::size_t>(pass)]; }
+    PassPlan& operator[](PassId pass) { return passes[static_cast<std::size_t>(pass)]; }
+};
+
+/// What moves the surface at most: the sum of all amplitudes, m.
+float totalAmplitude(const WaterBody& water);
+
+/// The box that holds the moving surface, world space.
+Bounds waterBounds(const WaterBody& water);
+
+/// Height of the moving surface over (x, z), world y in metres, at a time in seconds.
+float surfaceHeight(const WaterBody& water, vec2 xz, double time);
+
+/// @param size of the picture, pixels   @param time seconds
+FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
+                    ivec2 size, double time);
+
+} // namespace tarn

@@ -1,0 +1,122 @@
+#include "plan/options.h"
+
+#include <array>
+
+namespace tarn
+{
+
+namespace
+{
+
+// In the order of the enumerations' values.
+constexpr std::array toneCurveNames{"linear", "reinhard", "aces"};
+constexpr std::array waterNormalsNames{"pixel", "vertex"};
+constexpr std::array refractionMethodNames{"planar", "iterative"};
+constexpr std::array refractionCameraNames{"main", "snell"};
+constexpr std::array depthFormatNames{"depth16", "depth24", "depth32f"};
+
+void visit(FieldVisitor& v, FrameOptions& o)
+{
+    v.field({"exposure", "Factor on the radiance before the tone curve", "", 0.0, 1000.0}, o.exposure);
+    v.choice({"tone_curve", "How radiance becomes the 0 to 1 of the screen"}, o.toneCurve, toneCurveNames);
+    v.field({"msaa", "Samples per pixel of the scene and water passes; 1 is off", "samples", 1, 16}, o.msaa);
+    v.field({"anisotropy", "Largest anisotropy of texture filtering; 1 is off", "", 1.0, 16.0}, o.anisotropy);
+    v.field({"cull_chunks", "Leave out the chunks of the scene that the view cannot see"}, o.cullChunks);
+}
+
+void visit(FieldVisitor& v, WaterOptions& o)
+{
+    v.field({"enabled", "Draw the water and all that belongs to it; off shows the dry basin"}, o.enabled);
+    v.field({"grid_size", "Vertices along one edge of the surface's grid", "vertices", 2, 1025}, o.gridSize);
+    v.choice({"normals", "Where the wave normals are worked out; per vertex is as published"}, o.normals,
+             waterNormalsNames);
+    v.field(
+        {"filter_waves", "Fade waves that are shorter than a pixel into the roughness of the sun's glint"},
+        o.filterWaves);
+    v.field({"schlick_exponent", "q of Schlick's Fresnel (Mihalik 2008, eq. 7)", "", 0.5, 20.0},
+            o.schlickExponent);
+    v.field({"sun_roughness", "Deviation of the slope of waves too small to model: width of the sun's glint",
+             "", 0.001, 0.5},
+            o.sunRoughness);
+}
+
+void visit(FieldVisitor& v, RefractionOptions& o)
+{
+    v.field({"enabled", "See into the water; off shows the colour of deep water only"}, o.enabled);
+    v.choice({"method", "How the point W on the bed is found: planar takes the first approximation only"},
+             o.method, refractionMethodNames);
+    v.field({"steps", "Steps of the iterative intersection (Mihalik 2008, section 7.1)", "steps", 1, 64},
+            o.steps);
+    v.choice({"camera", "Camera of the refraction target: the main one, or turned by Snell's law (eq. 1-2)"},
+             o.camera, refractionCameraNames);
+    v.field({"target_size", "Edge of the square refraction target", "pixels", 16, 4096}, o.targetSize);
+    v.choice({"depth", "Depth format of the refraction target"}, o.depth, depthFormatNames);
+    v.field({"clip_offset", "How far above the water the refraction target is still drawn", "m", 0.0, 10.0},
+            o.clipOffset);
+    v.field({"fov_extension_near", "Factor on the target's field of view (tangents) close to the water", "",
+             1.0, 3.0},
+            o.fovExtensionNear);
+    v.field({"fov_extension_far", "Factor on the target's field of view (tangents) far above the water", "",
+             1.0, 3.0},
+            o.fovExtensionFar);
+}
+
+void visit(FieldVisitor& v, ReflectionOptions& o)
+{
+    v.field({"enabled", "Mirror the scene above the water; off mirrors the sky only"}, o.enabled);
+    v.field({"distance", "c of W = U + cR: how far along the reflected ray the picture is taken (eq. 6)", "m",
+             0.0, 100.0},
+            o.distance);
+    v.field({"target_size", "Edge of the square reflection target", "pixels", 16, 4096}, o.targetSize);
+    v.field({"clip_offset", "How far below the water the reflection target is still drawn", "m", 0.0, 10.0},
+            o.clipOffset);
+    v.field({"fov_extension_near", "Factor on the target's field of view (tangents) close to the water", "",
+             1.0, 3.0},
+            o.fovExtensionNear);
+    v.field({"fov_extension_far", "Factor on the target's field of view (tangents) far above the water", "",
+             1.0, 3.0},
+            o.fovExtensionFar);
+}
+
+void visit(FieldVisitor& v, CausticsOptions& o)
+{
+    v.field({"enabled", "Light gathered by the waves on what lies under water"}, o.enabled);
+}
+
+void visit(FieldVisitor& v, UnderwaterOptions& o)
+{
+    v.field(
+        {"enabled", "What an eye under water sees: haze of the water, and the world through Snell's window"},
+        o.enabled);
+    v.field({"distance",
+             "m of W = U + mR: how far along its rays the surface looks from below (eqs. 13 and 15)", "m",
+             0.0, 100.0},
+            o.distance);
+}
+
+void visit(FieldVisitor& v, GlowOptions& o)
+{
+    v.field({"enabled", "Glow round the sun's highlights on the water"}, o.enabled);
+}
+
+template <typename Group> void visitGroup(FieldVisitor& v, const char* name, const char* doc, Group& group)
+{
+    v.enter(name, doc);
+    visit(v, group);
+    v.leave();
+}
+
+} // namespace
+
+void visit(FieldVisitor& visitor, Options& options)
+{
+    visitGroup(visitor, "frame", "The whole picture", options.frame);
+    visitGroup(visitor, "water", "How the water's surface is drawn", options.water);
+    visitGroup(visitor, "refraction", "What is seen through the water", options.refraction);
+    visitGroup(visitor, "reflection", "What is seen mirrored in the water", options.reflection);
+    visitGroup(visitor, "caustics", "Caustics", options.caustics);
+    visitGroup(visitor, "underwater", "Under water", options.underwater);
+    visitGroup(visitor, "glow", "Glow", options.glow);
+}
+
+} // namespace tarn

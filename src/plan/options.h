@@ -1,0 +1,76 @@
+// Every option of a frame. One struct per feature, one visit() each: see base/fields.h.
+#pragma once
+
+#include "base/fields.h"
+#include "base/math.h"
+
+namespace tarn {
+
+struct FrameOptions {
+    enum class ToneCurve { linear, reinhard, aces };
+    float exposure = 1.0f;
+    ToneCurve toneCurve = ToneCurve::aces;
+    int msaa = 4;
+    float anisotropy = 8.0f;
+    bool cullChunks = true;
+};
+
+struct WaterOptions {
+    enum class Normals { pixel, vertex };
+    bool enabled = true;
+    int gridSize = 49;
+    Normals normals = Normals::pixel;
+    bool filterWaves = true;
+    float schlickExponent = 5.0f;
+    float sunRoughness = 0.02f;
+};
+
+enum class DepthFormat { depth16, depth24, depth32f };
+
+struct RefractionOptions {
+    enum class Method { planar, iterative };
+    enum class CameraMode { main, snell };
+    bool enabled = true;
+    Method method = Method::iterative;
+    int steps = 3;
+    CameraMode camera = CameraMode::snell;
+    int targetSize = 512;
+    DepthFormat depth = DepthFormat::depth24;
+    float clipOffset = 0.1f;
+    float fovExtensionNear = 1.5f;
+    float fovExtensionFar = 1.2f;
+};
+
+struct ReflectionOptions {
+    bool enabled = true;
+    float distance = 1.0f; ///< c of eq. 6
+    int targetSize = 512;
+    float clipOffset = 0.1f;
+    float fovExtensionNear = 1.5f;
+    float fovExtensionFar = 1.2f;
+};
+
+struct CausticsOptions {
+    bool enabled = true;
+};
+struct UnderwaterOptions {
+    bool enabled = true;
+    float distance = 1.5f; ///< m of eqs. 13 and 15
+};
+struct GlowOptions {
+    bool enabled = true;
+};
+
+struct Options {
+    FrameOptions frame;
+    WaterOptions water;
+    RefractionOptions refraction;
+    ReflectionOptions reflection;
+    CausticsOptions caustics;
+    UnderwaterOptions underwater;
+    GlowOptions glow;
+};
+
+void visit(FieldVisitor& visitor, Options& options);
+
+} // namespace tarn

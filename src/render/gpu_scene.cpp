@@ -1,0 +1,166 @@
+#include "render/gpu_scene.h"
+
+#include "base/progress.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace tarn {
+
+GpuScene::GpuScene(const Scene& scene, float anisotropy, Progress* progress)
+    : scene_(scene), instances_(flatten(scene)), chunks_(listChunks(scene, instances_)), sky_(scene)
+{
+    uploadMeshes();
+    uploadTextures(anisotropy, progress);
+    bakeSky();
+}
+
+void GpuScene::uploadMeshes()
+{
+    meshes_.resize(scene_.meshes.size());
+    for (std::size_t i = 0; i < meshes_.size(); ++i) {
+        const Mesh& mesh = scene_.meshes[i];
+        GpuMesh& gpu = meshes_[i];
+        gpu.vertices = gl::Buffer(mesh.name + " vertices");
+        gpu.vertices.upload(std::span(mesh.vertices));
+        gpu.indices = gl::Buffer(mesh.name + " indices");
+        gpu.indices.upload(std::span(mesh.indices));
+        gpu.array = gl::VertexArray(mesh.name);
+        gpu.array.attributes(gpu.vertices, sizeof(Vertex),
+                             {{0, 3, offsetof(Vertex, position)},
+                              {1, 3, offsetof(Vertex, normal)},
+                              {2, 4, offsetof(Vertex, tangent)},
+                              {3, 2, offsetof(Vertex, uv)},
+                              {4, 4, offsetof(Vertex, colour), gl::Attribute::Type::unorm8}});
+        gpu.array.indices(gpu.indices);
+    }
+}
+
+void GpuScene::uploadTextures(float anisotropy, Progress* progress)
+{
+    std::vector<std::pair<int, MapUse>> wanted;
+    const auto want = [&wanted](int image, MapUse use) {
+        if (image != noImage) wanted.emplace_back(image, use);
+    };
+    for (const Material& material : scene_.materials) {
+        want(material.diffuseMap, MapUse::colour);
+        want(material.emissiveMap, MapUse::colour);
+        want(material.alphaMap, MapUse::data);
+        want(material.normalMap, MapUse::data);
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const auto [image, use] = wanted[i];
+        if (progress)
+            progress->report(static_cast<double>(i) / static_cast<double>(wanted.size()),
+                             "uploading " + scene_.images[static_cast<std::size_t>(image)].name);
+        if (!textures_.contains(wanted[i])) uploadTexture(image, use, anisotropy);
+    }
+}
+
+namespace {
+
+/// OpenGL's first row is the lowest; a picture file's is the highest.
+template <typename T> std::vector<T> bottomUp(const std::vector<T>& values, int width, int height, int channels)
+{
+    const std::size_t row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+    std::vector<T> flipped(values.size());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                    flipped.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
+    return flipped;
+}
+
+/// Grey pictures say the same in every colour channel.
+template <typename T> std::vector<T> spreadGrey(const std::vector<T>& grey)
+{
+    std::vector<T> rgb;
+    rgb.reserve(grey.size() * 3);
+    for (const T value : grey) rgb.insert(rgb.end(), 3, value);
+    return rgb;
+}
+
+} // namespace
+
+void GpuScene::uploadTexture(int index, MapUse use, float anisotropy)
+{
+    const Image& image = scene_.images[static_cast<std::size_t>(index)];
+    gl::TextureDesc desc;
+    desc.size = {image.width, image.height};
+    desc.mipmaps = true;
+    desc.wrap = gl::Wrap::repeat;
+    desc.anisotropy = anisotropy;
+    if (image.isFloat()) desc.format = gl::Format::rgba16f;
+    else desc.format = use == MapUse::colour ? gl::Format::srgb8a8 : gl::Format::rgba8;
+
+    gl::Texture texture(desc, image.name);
+    const int channels = image.channels == 1 ? 3 : image.channels;
+    if (image.isFloat()) {
+        const auto rows = bottomUp(image.floats, image.width, image.height, image.channels);
+        texture.upload(std::span<const float>(image.channels == 1 ? spreadGrey(rows) : rows), channels);
+    } else {
+        const auto rows = bottomUp(image.bytes, image.width, image.height, image.channels);
+        texture.upload(std::span<const std::uint8_t>(image.channels == 1 ? spreadGrey(rows) : rows), channels);
+    }
+    texture.generateMipmaps();
+    textures_.emplace(std::pair{index, use}, std::move(texture));
+}
+
+void GpuScene::setAnisotropy(float anisotropy)
+{
+    for (auto& [key, texture] : textures_) texture.setAnisotropy(anisotropy);
+}
+
+namespace {
+
+/// The direction of a texel's centre on a face of a cube map (OpenGL 3.3 core, section 3.8.10, table 3.19).
+vec3 cubeDirection(int face, int x, int y, int size)
+{
+    const float s = 2.0f * (static_cast<float>(x) + 0.5f) / static_cast<float>(size) - 1.0f;
+    const float t = 2.0f * (static_cast<float>(y) + 0.5f) / static_cast<float>(size) - 1.0f;
+    switch (face) {
+    case 0: return normalize(vec3(1.0f, -t, -s));
+    case 1: return normalize(vec3(-1.0f, -t, s));
+    case 2: return normalize(vec3(s, 1.0f, t));
+    case 3: return normalize(vec3(s, -1.0f, -t));
+    case 4: return normalize(vec3(s, -t, 1.0f));
+    default: return normalize(vec3(-s, -t, -1.0f));
+    }
+}
+
+/// Fine enough for the sky that there is: one colour needs one texel.
+int skyMapSize(const Sky& sky)
+{
+    switch (sky.kind) {
+    case Sky::Kind::constant: return 1;
+    case Sky::Kind::daylight: return 128;
+    case Sky::Kind::picture: return 512;
+    }
+    return 128;
+}
+
+} // namespace
+
+void GpuScene::bakeSky()
+{
+    const int size = skyMapSize(scene_.sky);
+    gl::TextureDesc desc;
+    desc.kind = gl::TextureKind::cube;
+    desc.format = gl::Format::rgba16f;
+    desc.size = {size, size};
+    skyMap_ = gl::Texture(desc, "sky");
+    // Half floats end at 65504; a picture of the sun can be brighter.
+    constexpr float largest = 60000.0f;
+    std::vector<float> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 3);
+    for (int face = 0; face < 6; ++face) {
+        std::size_t i = 0;
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const vec3 radiance = glm::clamp(sky_.radiance(cubeDirection(face, x, y, size)), 0.0f, largest);
+                for (int c = 0; c < 3; ++c) texels[i++] = radiance[c];
+            }
+        }
+        skyMap_.upload(std::span<const float>(texels), 3, face);
+    }
+}
+
+} // namespace tarn

@@ -1,0 +1,56 @@
+// A scene in the graphics card's memory: meshes, textures, and the baked sky. Made once per scene.
+#pragma once
+
+#include "gl/buffer.h"
+#include "gl/texture.h"
+#include "gl/vertex_array.h"
+#include "render/visibility.h"
+#include "scene/scene.h"
+#include "scene/sky.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace tarn {
+
+class Progress;
+
+class GpuScene {
+public:
+    GpuScene(const Scene& scene, float anisotropy, Progress* progress);
+
+    const Scene& scene() const { return scene_; }
+    const std::vector<Instance>& instances() const { return instances_; }
+    const std::vector<Chunk>& chunks() const { return chunks_; }
+    const SkyModel& sky() const { return sky_; }
+    const gl::Texture& skyMap() const { return skyMap_; }
+    const gl::VertexArray& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)].array; }
+
+    /// How a map's values are meant: colours are sRGB-encoded, the rest is linear.
+    enum class MapUse { colour, data };
+    const gl::Texture& texture(int image, MapUse use) const { return textures_.at({image, use}); }
+
+    void setAnisotropy(float anisotropy);
+
+private:
+    void uploadMeshes();
+    void uploadTextures(float anisotropy, Progress* progress);
+    void uploadTexture(int image, MapUse use, float anisotropy);
+    void bakeSky();
+
+    struct GpuMesh {
+        gl::Buffer vertices, indices;
+        gl::VertexArray array;
+    };
+
+    const Scene& scene_;
+    std::vector<Instance> instances_;
+    std::vector<Chunk> chunks_;
+    SkyModel sky_;
+    std::vector<GpuMesh> meshes_;
+    std::map<std::pair<int, MapUse>, gl::Texture> textures_;
+    gl::Texture skyMap_;
+};
+
+} // namespace tarn

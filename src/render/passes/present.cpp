@@ -1,0 +1,53 @@
+#include "render/passes/present.h"
+
+#include "gl/state.h"
+
+namespace tarn {
+
+namespace {
+
+/// How present.frag shows a view (its DISPLAY).
+const char* displayCode(DebugView view)
+{
+    switch (view) {
+    case DebugView::final:
+    case DebugView::refractionColour:
+    case DebugView::reflection: return "0";
+    case DebugView::sceneDepth:
+    case DebugView::refractionDepth:
+    case DebugView::pathLength: return "1";
+    case DebugView::positionW: return "2";
+    case DebugView::normals: return "3";
+    case DebugView::fresnel: return "4";
+    }
+    return "0";
+}
+
+const char* toneCurveFunction(FrameOptions::ToneCurve curve)
+{
+    switch (curve) {
+    case FrameOptions::ToneCurve::linear: return "toneLinear";
+    case FrameOptions::ToneCurve::reinhard: return "toneReinhard";
+    case FrameOptions::ToneCurve::aces: return "toneAces";
+    }
+    return "toneLinear";
+}
+
+} // namespace
+
+const gl::Target& PresentPass::draw(const gl::Texture& source, const FrameOptions& options, DebugView view)
+{
+    target_.ensure({.size = source.size(), .colours = {gl::Format::rgba8}});
+    gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
+    target_.bind();
+    const gl::Defines defines{{"DISPLAY", displayCode(view)}, {"TONE_CURVE", toneCurveFunction(options.toneCurve)}};
+    auto& program = programs_[defines];
+    if (!program) program = shaders_.program("present", "passes/fullscreen.vert", "passes/present.frag", defines);
+    program->use();
+    program->texture("hdrColour", source);
+    program->set("exposure", options.exposure);
+    triangle_.draw();
+    return target_;
+}
+
+} // namespace tarn

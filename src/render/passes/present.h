@@ -1,0 +1,30 @@
+// From linear radiance to the display; debug views to colours that a person can read.
+#pragma once
+
+#include "gl/shader_library.h"
+#include "gl/target.h"
+#include "gl/vertex_array.h"
+#include "plan/options.h"
+#include "render/debug_view.h"
+
+#include <map>
+#include <memory>
+
+namespace tarn {
+
+class PresentPass {
+public:
+    explicit PresentPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
+
+    /// @param source linear; for a debug view its raw values
+    const gl::Target& draw(const gl::Texture& source, const FrameOptions& options, DebugView view);
+    const gl::Target& target() const { return target_; }
+
+private:
+    gl::ShaderLibrary& shaders_;
+    gl::Target target_{"display"};
+    gl::FullscreenTriangle triangle_;
+    std::map<gl::Defines, std::shared_ptr<gl::Program>> programs_;
+};
+
+} // namespace tarn

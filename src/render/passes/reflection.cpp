@@ -1,0 +1,23 @@
+#include "render/passes/reflection.h"
+
+#include "gl/state.h"
+
+namespace tarn {
+
+const gl::Target& ReflectionPass::draw(ScenePainter& painter, const ReflectionOptions& options,
+                                       const Inputs& inputs, FrameStats::Pass& stats)
+{
+    target_.ensure({.size = ivec2(options.targetSize),
+                    .colours = {gl::Format::rgba16f},
+                    .depth = gl::Format::depth24});
+    gl::apply({});
+    target_.bind();
+    target_.drawFramebuffer().clearColour(vec4(0.0f));
+    target_.drawFramebuffer().clearDepth();
+    PaintStyle style;
+    style.underwaterEye = inputs.underwater;
+    painter.draw(inputs.view, style, WaterCover{}, inputs.cull, stats);
+    return target_;
+}
+
+} // namespace tarn

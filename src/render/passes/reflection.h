@@ -1,0 +1,26 @@
+// The reflection target: what the mirrored camera sees on the eye's side of the water's surface (Mihálik 2008, 5.2).
+#pragma once
+
+#include "gl/target.h"
+#include "plan/options.h"
+#include "render/scene_painter.h"
+
+namespace tarn {
+
+class ReflectionPass {
+public:
+    struct Inputs {
+        const View& view;
+        bool underwater = false; ///< the eye is below the surface, which mirrors the bed
+        bool cull = true;
+    };
+
+    const gl::Target& draw(ScenePainter& painter, const ReflectionOptions& options, const Inputs& inputs,
+                           FrameStats::Pass& stats);
+    const gl::Target& target() const { return target_; }
+
+private:
+    gl::Target target_{"reflection"};
+};
+
+} // namespace tarn

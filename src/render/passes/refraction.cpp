@@ -1,0 +1,36 @@
+#include "render/passes/refraction.h"
+
+#include "gl/state.h"
+
+namespace tarn {
+
+gl::Format glFormat(DepthFormat format)
+{
+    switch (format) {
+    case DepthFormat::depth16: return gl::Format::depth16;
+    case DepthFormat::depth24: return gl::Format::depth24;
+    case DepthFormat::depth32f: return gl::Format::depth32f;
+    }
+    return gl::Format::depth24;
+}
+
+const gl::Target& RefractionPass::draw(ScenePainter& painter, const RefractionOptions& options,
+                                       const Inputs& inputs, FrameStats::Pass& stats)
+{
+    // Depth-buffer values are linear in screen space on any plane, so that filtering them is exact on flat ground and
+    // good to second order on a smooth bed.
+    target_.ensure({.size = ivec2(options.targetSize),
+                    .colours = {gl::Format::rgba16f},
+                    .depth = glFormat(options.depth),
+                    .depthFilter = gl::Filter::linear});
+    gl::apply({});
+    target_.bind();
+    target_.drawFramebuffer().clearColour(vec4(inputs.deepRadiance, 1.0f));
+    target_.drawFramebuffer().clearDepth();
+    PaintStyle style;
+    style.sky = inputs.underwater; // in the water the far distance is water
+    painter.draw(inputs.view, style, WaterCover{}, inputs.cull, stats);
+    return target_;
+}
+
+} // namespace tarn

@@ -1,0 +1,29 @@
+// The refraction target: colour and depth of what lies on the far side of the water's surface (Mihálik 2008, 5.1).
+#pragma once
+
+#include "gl/target.h"
+#include "plan/options.h"
+#include "render/scene_painter.h"
+
+namespace tarn {
+
+class RefractionPass {
+public:
+    struct Inputs {
+        const View& view;
+        bool underwater = false; ///< the eye is below the surface: the far side is the air
+        vec3 deepRadiance{0.0f}; ///< where there is nothing under water
+        bool cull = true;
+    };
+
+    const gl::Target& draw(ScenePainter& painter, const RefractionOptions& options, const Inputs& inputs,
+                           FrameStats::Pass& stats);
+    const gl::Target& target() const { return target_; }
+
+private:
+    gl::Target target_{"refraction"};
+};
+
+gl::Format glFormat(DepthFormat format);
+
+} // namespace tarn

@@ -1,0 +1,17 @@
+#include "render/passes/scene_pass.h"
+
+#include "gl/state.h"
+
+namespace tarn {
+
+void ScenePass::draw(ScenePainter& painter, const gl::Target& frame, const Inputs& inputs,
+                     FrameStats::Pass& stats) const
+{
+    gl::apply({});
+    frame.bind();
+    frame.drawFramebuffer().clearColour(vec4(0.0f));
+    frame.drawFramebuffer().clearDepth();
+    painter.draw(inputs.view, inputs.style, inputs.cover, inputs.cull, stats);
+}
+
+} // namespace tarn

@@ -1,0 +1,22 @@
+// The scene without its water, from the main camera, into the frame's HDR target.
+#pragma once
+
+#include "gl/target.h"
+#include "render/scene_painter.h"
+
+namespace tarn {
+
+class ScenePass {
+public:
+    struct Inputs {
+        const View& view;
+        PaintStyle style;
+        WaterCover cover; ///< what the water, drawn later, will hide
+        bool cull = true;
+    };
+
+    /// Clears the target and draws into it.
+    void draw(ScenePainter& painter, const gl::Target& frame, const Inputs& inputs, FrameStats::Pass& stats) const;
+};
+
+} // namespace tarn

@@ -1,0 +1,47 @@
+// The water's surface over the scene: intersection, absorption, Fresnel (Mihálik 2008, chapter 7).
+#pragma once
+
+#include "gl/shader_library.h"
+#include "gl/target.h"
+#include "gl/vertex_array.h"
+#include "plan/options.h"
+#include "render/renderer.h"
+#include "render/view.h"
+
+#include <map>
+#include <memory>
+
+namespace tarn {
+
+class WaterPass {
+public:
+    explicit WaterPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
+
+    struct Inputs {
+        const gl::Target* refraction = nullptr; ///< null: the water's own colour
+        const View* refractionView = nullptr;
+        const gl::Target* reflection = nullptr; ///< null: the sky
+        const View* reflectionView = nullptr;
+        const gl::Texture& skyMap;
+        bool underwater = false;
+        DebugView view = DebugView::final;
+    };
+
+    /// Compiles the variant that these inputs need.
+    gl::Program& program(const Options& options, const Inputs& inputs);
+
+    /// Draws over what the frame's target holds, with its depth.
+    void draw(const gl::Target& frame, const Options& options, const Inputs& inputs, FrameStats::Pass& stats);
+
+private:
+    void ensureGrid(int size);
+
+    gl::ShaderLibrary& shaders_;
+    std::map<gl::Defines, std::shared_ptr<gl::Program>> programs_;
+    int gridSize_ = 0;
+    int indexCount_ = 0;
+    gl::Buffer vertices_, indices_;
+    gl::VertexArray grid_;
+};
+
+} // namespace tarn

@@ -1,0 +1,313 @@
+#include "render/renderer.h"
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/log.h"
+#include "render/bindings.h"
+#include "render/frame_light.h"
+#include "render/passes/debug_copy.h"
+#include "render/passes/present.h"
+#include "render/passes/reflection.h"
+#include "render/passes/refraction.h"
+#include "render/passes/scene_pass.h"
+#include "render/passes/water.h"
+#include "render/pixel_check.h"
+
+#include <optional>
+
+namespace tarn {
+
+namespace {
+
+template <typename Block> gl::UniformBuffer<Block> uniformBuffer(BlockIndex index, const char* label)
+{
+    return gl::UniformBuffer<Block>(static_cast<int>(index), label);
+}
+
+/// Debug views that show values of single pixels: no samples to mix, and floats wide enough for positions.
+bool wantsRawValues(DebugView view) { return view != DebugView::final; }
+
+/// Debug views that the water pass writes; the scene around them stays empty.
+bool isWaterView(DebugView view)
+{
+    return view == DebugView::fresnel || view == DebugView::pathLength || view == DebugView::positionW;
+}
+
+} // namespace
+
+std::size_t FrameStats::triangles() const
+{
+    std::size_t sum = 0;
+    for (const Pass& pass : passes) sum += pass.triangles;
+    return sum;
+}
+
+std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
+{
+    return std::make_unique<gl::ShaderLibrary>(projectRoot() / "shaders", shaderBindings());
+}
+
+struct Renderer::State {
+    State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
+        : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, o.frame.anisotropy, progress),
+          painter(gpuScene, shaders), waterPass(shaders), presentPass(shaders), debugCopy(shaders)
+    {
+    }
+
+    const Scene& scene;
+    Options options;
+    WaterBody water;
+    gl::Profiler& profiler;
+    GpuScene gpuScene;
+    ScenePainter painter;
+
+    gl::UniformBuffer<blocks::FrameBlock> frameBlock =
+        uniformBuffer<blocks::FrameBlock>(BlockIndex::frame, "frame block");
+    gl::UniformBuffer<blocks::ViewBlock> viewBlock =
+        uniformBuffer<blocks::ViewBlock>(BlockIndex::view, "view block");
+    gl::UniformBuffer<blocks::WavesBlock> wavesBlock =
+        uniformBuffer<blocks::WavesBlock>(BlockIndex::waves, "waves block");
+
+    gl::Target frame{"frame"};
+    RefractionPass refraction;
+    ReflectionPass reflection;
+    ScenePass scenePass;
+    WaterPass waterPass;
+    PresentPass presentPass;
+    DebugCopyPass debugCopy;
+
+    FrameStats stats;
+    bool checking = false;
+    std::vector<BadPixels> bad;
+    const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
+
+    // Of this frame.
+    View main, refractionView, reflectionView;
+    blocks::FrameBlock light{};
+
+    void beginFrame(const FrameInput& input);
+    void drawRefraction();
+    void drawReflection();
+    void drawScene(const FrameInput& input);
+    void drawWater(const FrameInput& input);
+    const gl::Target& selectShown(const FrameInput& input);
+    void present(const FrameInput& input);
+    FrameStats::Pass& beginPass(PassId pass, const View& view, ivec2 size);
+    void check(PassId pass, const gl::Target& target);
+};
+
+Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
+                   Progress* progress)
+    : state_(std::make_unique<State>(scene, options, shaders, profiler, progress))
+{
+    if (scene.pointLights.size() + scene.spotLights.size() > static_cast<std::size_t>(blocks::maxLights))
+        log::warning("{}: {} point and spot lights, but only the first {} are drawn", scene.file.string(),
+                     scene.pointLights.size() + scene.spotLights.size(), blocks::maxLights);
+    PaintStyle main;
+    main.sunDisc = true;
+    main.alphaToCoverage = options.frame.msaa > 1;
+    state_->painter.prepare(main, false);
+    if (scene.water.present && options.water.enabled) state_->painter.prepare(PaintStyle{}, true);
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::setOptions(const Options& options, const WaterBody& water)
+{
+    if (options.frame.anisotropy != state_->options.frame.anisotropy)
+        state_->gpuScene.setAnisotropy(options.frame.anisotropy);
+    state_->options = options;
+    state_->water = water;
+}
+
+void Renderer::setChecking(bool checking) { state_->checking = checking; }
+
+const std::vector<BadPixels>& Renderer::badPixels() const { return state_->bad; }
+
+const FrameStats& Renderer::render(const FrameInput& input)
+{
+    if (input.size.x < 1 || input.size.y < 1)
+        throw Error("a picture of {}x{} pixels cannot be rendered", input.size.x, input.size.y);
+    State& s = *state_;
+    s.profiler.beginFrame();
+    s.beginFrame(input);
+    if (s.stats.plan[PassId::refraction].wanted) s.drawRefraction();
+    if (s.stats.plan[PassId::reflection].wanted) s.drawReflection();
+    s.drawScene(input);
+    if (s.stats.plan[PassId::water].wanted) s.drawWater(input);
+    s.present(input);
+    s.profiler.endFrame();
+    return s.stats;
+}
+
+void Renderer::State::beginFrame(const FrameInput& input)
+{
+    stats = FrameStats{planFrame(scene, water, input.camera, options, input.size, input.time), {}};
+    bad.clear();
+    const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
+    const bool underwater = stats.plan.underwater;
+    main = mainView(input.camera, aspect);
+    refractionView = tarn::refractionView(input.camera, aspect, water, options.refraction, underwater);
+    reflectionView = tarn::reflectionView(input.camera, aspect, water, options.reflection, underwater);
+    light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
+    frameBlock.update(light);
+    wavesBlock.update(tarn::wavesBlock(water, input.time));
+}
+
+FrameStats::Pass& Renderer::State::beginPass(PassId pass, const View& view, ivec2 size)
+{
+    viewBlock.update(tarn::viewBlock(view, size));
+    return stats.passes.emplace_back(FrameStats::Pass{passName(pass), 0, 0});
+}
+
+void Renderer::State::check(PassId pass, const gl::Target& target)
+{
+    if (!checking) return;
+    if (BadPixels found = checkTarget(passName(pass), target); found.any()) bad.push_back(std::move(found));
+}
+
+void Renderer::State::drawRefraction()
+{
+    gl::PassScope scope(profiler, passName(PassId::refraction));
+    FrameStats::Pass& pass = beginPass(PassId::refraction, refractionView, stats.plan[PassId::refraction].size);
+    const RefractionPass::Inputs inputs{.view = refractionView,
+                                        .underwater = stats.plan.underwater,
+                                        .deepRadiance = light.deepRadiance,
+                                        .cull = options.frame.cullChunks};
+    check(PassId::refraction, refraction.draw(painter, options.refraction, inputs, pass));
+}
+
+void Renderer::State::drawReflection()
+{
+    gl::PassScope scope(profiler, passName(PassId::reflection));
+    FrameStats::Pass& pass = beginPass(PassId::reflection, reflectionView, stats.plan[PassId::reflection].size);
+    const ReflectionPass::Inputs inputs{
+        .view = reflectionView, .underwater = stats.plan.underwater, .cull = options.frame.cullChunks};
+    check(PassId::reflection, reflection.draw(painter, options.reflection, inputs, pass));
+}
+
+void Renderer::State::drawScene(const FrameInput& input)
+{
+    gl::PassScope scope(profiler, passName(PassId::scene));
+    const bool raw = wantsRawValues(input.view);
+    frame.ensure({.size = input.size,
+                  .colours = {raw ? gl::Format::rgba32f : gl::Format::rgba16f},
+                  .depth = gl::Format::depth24,
+                  .samples = raw ? 1 : options.frame.msaa});
+
+    ScenePass::Inputs inputs{.view = main, .style = {}, .cover = {}, .cull = options.frame.cullChunks};
+    inputs.style.underwaterEye = stats.plan.underwater;
+    inputs.style.sunDisc = !stats.plan.underwater;
+    inputs.style.alphaToCoverage = frame.isMultisampled();
+    inputs.style.debugNormals = input.view == DebugView::normals;
+    inputs.style.sky = !raw;
+    if (stats.plan[PassId::water].wanted && !stats.plan.underwater && input.view != DebugView::sceneDepth)
+        inputs.cover = waterCover(water);
+    FrameStats::Pass& pass = beginPass(PassId::scene, main, input.size);
+    scenePass.draw(painter, frame, inputs, pass);
+    if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));
+    if (!raw) check(PassId::scene, frame);
+}
+
+void Renderer::State::drawWater(const FrameInput& input)
+{
+    gl::PassScope scope(profiler, passName(PassId::water));
+    const bool refracts = stats.plan[PassId::refraction].wanted;
+    const bool reflects = stats.plan[PassId::reflection].wanted;
+    const WaterPass::Inputs inputs{.refraction = refracts ? &refraction.target() : nullptr,
+                                   .refractionView = &refractionView,
+                                   .reflection = reflects ? &reflection.target() : nullptr,
+                                   .reflectionView = &reflectionView,
+                                   .skyMap = gpuScene.skyMap(),
+                                   .underwater = stats.plan.underwater,
+                                   .view = input.view};
+    FrameStats::Pass& pass = beginPass(PassId::water, main, input.size);
+    waterPass.draw(frame, options, inputs, pass);
+    if (!wantsRawValues(input.view)) check(PassId::water, frame);
+}
+
+/// What is presented: the frame, or in a debug view the target that it shows.
+const gl::Target& Renderer::State::selectShown(const FrameInput& input)
+{
+    const ivec2 size = input.size;
+    const bool refracts = stats.plan[PassId::refraction].wanted;
+    switch (input.view) {
+    case DebugView::sceneDepth: return debugCopy.depth(frame.depth(), size, main.nearPlane, main.farPlane);
+    case DebugView::refractionColour:
+        return refracts ? debugCopy.colour(refraction.target().colour(), size) : debugCopy.nothing(size);
+    case DebugView::refractionDepth:
+        return refracts ? debugCopy.depth(refraction.target().depth(), size, refractionView.nearPlane,
+                                          refractionView.farPlane)
+                        : debugCopy.nothing(size);
+    case DebugView::reflection:
+        return stats.plan[PassId::reflection].wanted ? debugCopy.colour(reflection.target().colour(), size)
+                                                     : debugCopy.nothing(size);
+    default: return frame;
+    }
+}
+
+void Renderer::State::present(const FrameInput& input)
+{
+    gl::PassScope scope(profiler, passName(PassId::present));
+    frame.resolve();
+    shown = &selectShown(input);
+    presentPass.draw(shown->colour(), options.frame, input.view);
+    check(PassId::present, presentPass.target());
+}
+
+void Renderer::presentToWindow(ivec2 windowSize) const
+{
+    const gl::Framebuffer window = gl::Framebuffer::window(windowSize);
+    state_->presentPass.target().framebuffer().blitTo(window, {.filter = gl::Filter::linear});
+    window.bind();
+}
+
+namespace {
+
+/// OpenGL's first row is the lowest; a picture's is the highest. Keeps the first `channels` of four.
+template <typename T> std::vector<T> topDown(const std::vector<T>& rgba, ivec2 size, int channels)
+{
+    std::vector<T> result;
+    result.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                   static_cast<std::size_t>(channels));
+    for (int y = size.y - 1; y >= 0; --y) {
+        for (int x = 0; x < size.x; ++x) {
+            const std::size_t pixel = (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                                       static_cast<std::size_t>(x)) *
+                                      4;
+            for (int c = 0; c < channels; ++c) result.push_back(rgba[pixel + static_cast<std::size_t>(c)]);
+        }
+    }
+    return result;
+}
+
+Image emptyImage(const char* name, ivec2 size, int channels)
+{
+    Image image;
+    image.name = name;
+    image.width = size.x;
+    image.height = size.y;
+    image.channels = channels;
+    return image;
+}
+
+} // namespace
+
+Image Renderer::readDisplay() const
+{
+    const gl::Framebuffer& display = state_->presentPass.target().framebuffer();
+    Image image = emptyImage("frame", display.size(), 3);
+    image.bytes = topDown(display.readBytes(), display.size(), 3);
+    return image;
+}
+
+Image Renderer::readLinear() const
+{
+    if (!state_->shown) throw Error("no frame has been rendered yet");
+    const gl::Framebuffer& linear = state_->shown->framebuffer();
+    Image image = emptyImage("frame", linear.size(), 4);
+    image.floats = topDown(linear.readFloats(), linear.size(), 4);
+    return image;
+}
+
+} // namespace tarn

@@ -1,0 +1,92 @@
+// One frame of a scene, top to bottom. Needs a current GL context of at least 3.3 core for its whole life.
+//
+//     auto shaders = makeShaderLibrary();
+//     gl::Profiler profiler;
+//     Renderer renderer(scene, options, *shaders, profiler);
+//     renderer.render({camera, 1.5, {640, 480}});
+//     writeImage("lake.png", renderer.readDisplay());
+#pragma once
+
+#include "plan/frame_plan.h"
+#include "plan/options.h"
+#include "render/debug_view.h"
+#include "scene/scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tarn {
+
+class Progress;
+namespace gl {
+class ShaderLibrary;
+class Profiler;
+} // namespace gl
+
+/// The library over projectRoot()/shaders, with the bindings that the passes use.
+std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary();
+
+struct FrameInput {
+    const Camera& camera;
+    double time = 0.0;     ///< seconds
+    ivec2 size{640, 480};  ///< of the picture, pixels; both at least 1
+    DebugView view = DebugView::final;
+};
+
+/// What a frame did. Valid until the next one.
+struct FrameStats {
+    FramePlan plan;
+    struct Pass {
+        std::string name;
+        std::size_t triangles = 0;
+        std::size_t drawCalls = 0;
+    };
+    std::vector<Pass> passes;
+    std::size_t triangles() const;
+};
+
+/// Values that no target may hold.
+struct BadPixels {
+    std::string pass; ///< the pass that made them
+    std::size_t nan = 0, infinite = 0, negative = 0;
+    bool any() const { return nan + infinite + negative > 0; }
+};
+
+class Renderer {
+public:
+    /// Uploads the scene, bakes its sky and compiles every shader that the options ask for. Keeps references to all
+    /// but the progress. Throws Error when a shader does not compile.
+    Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
+             Progress* progress = nullptr);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Takes effect with the next frame. The water body starts as the scene's.
+    void setOptions(const Options& options, const WaterBody& water);
+
+    /// Count NaN, infinity and negative radiance in every target from the next frame on (slow: reads them all back).
+    void setChecking(bool checking);
+
+    const FrameStats& render(const FrameInput& input);
+
+    /// Copies the last frame's picture to the default framebuffer of the window.
+    void presentToWindow(ivec2 windowSize) const;
+
+    /// The last frame as it is shown: 8-bit sRGB, three channels.
+    Image readDisplay() const;
+
+    /// The last frame's linear radiance, or the debug view's raw values: four floats a pixel (debug views of the
+    /// water: alpha is 1 where the water is).
+    Image readLinear() const;
+
+    /// What the checking found in the last frame, in the order of the passes; only passes that made bad values.
+    const std::vector<BadPixels>& badPixels() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace tarn

@@ -1,0 +1,168 @@
+#include "render/scene_painter.h"
+
+#include "gl/state.h"
+
+namespace tarn {
+
+namespace {
+
+enum Feature : unsigned {
+    diffuseMap = 1u << 0,
+    normalMap = 1u << 1,
+    emissiveMap = 1u << 2,
+    alphaMap = 1u << 3,
+    alphaTest = 1u << 4,
+    turnNormal = 1u << 5,
+    specular = 1u << 6,
+    clipPlane = 1u << 7,
+    underwaterEye = 1u << 8,
+    alphaToCoverage = 1u << 9,
+    debugNormals = 1u << 10,
+    sunDisc = 1u << 11,
+};
+
+struct FeatureName {
+    Feature feature;
+    const char* define;
+};
+constexpr FeatureName featureNames[] = {
+    {diffuseMap, "DIFFUSE_MAP"},   {normalMap, "NORMAL_MAP"},        {emissiveMap, "EMISSIVE_MAP"},
+    {alphaMap, "ALPHA_MAP"},       {alphaTest, "ALPHA_TEST"},        {turnNormal, "TURN_NORMAL"},
+    {specular, "SPECULAR"},        {clipPlane, "CLIP"},              {underwaterEye, "UNDERWATER"},
+    {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"}};
+
+gl::Defines definesOf(unsigned features)
+{
+    gl::Defines defines;
+    for (const auto& [feature, define] : featureNames)
+        if (features & feature) defines.emplace_back(define, "1");
+    return defines;
+}
+
+} // namespace
+
+ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders) : scene_(scene), shaders_(shaders)
+{
+    for (const Instance& instance : scene.instances())
+        worldFromModelNormal_.push_back(glm::transpose(glm::inverse(mat3(instance.worldFromModel))));
+}
+
+unsigned ScenePainter::features(const Material& material) const
+{
+    unsigned bits = 0;
+    if (material.diffuseMap != noImage) bits |= diffuseMap;
+    if (material.normalMap != noImage) bits |= normalMap;
+    if (material.emissiveMap != noImage) bits |= emissiveMap;
+    if (material.alphaMap != noImage) bits |= alphaMap;
+    if (material.alphaTested) bits |= alphaTest;
+    // Foliage keeps the normal of the crown that it stands for; anything else turns towards the eye.
+    if (material.twoSided && !material.alphaTested) bits |= turnNormal;
+    if (material.specular != vec3(0.0f)) bits |= specular;
+    return bits;
+}
+
+gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, bool clips)
+{
+    if (clips) bits |= clipPlane;
+    if (style.underwaterEye) bits |= underwaterEye;
+    if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
+    if (style.debugNormals) bits |= debugNormals;
+    auto& program = scenePrograms_[bits];
+    if (!program) program = shaders_.program("scene", "passes/scene.vert", "passes/scene.frag", definesOf(bits));
+    return *program;
+}
+
+gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
+{
+    unsigned bits = 0;
+    if (style.sunDisc) bits |= sunDisc;
+    if (style.underwaterEye) bits |= underwaterEye;
+    auto& program = skyPrograms_[bits];
+    if (!program) program = shaders_.program("sky", "passes/sky.vert", "passes/sky.frag", definesOf(bits));
+    return *program;
+}
+
+void ScenePainter::prepare(const PaintStyle& style, bool clips)
+{
+    for (const Chunk& chunk : scene_.chunks())
+        sceneProgram(features(scene_.scene().materials[static_cast<std::size_t>(chunk.material)]), style, clips);
+    skyProgram(style);
+}
+
+void ScenePainter::setMaterial(gl::Program& program, const Material& material) const
+{
+    using MapUse = GpuScene::MapUse;
+    program.set("diffuseReflectance", material.diffuse);
+    program.set("emittedRadiance", material.emissive);
+    if (material.specular != vec3(0.0f)) {
+        program.set("specularReflectance", material.specular);
+        program.set("shininess", material.shininess);
+    }
+    if (material.alphaTested) {
+        program.set("alpha", material.alpha);
+        program.set("alphaCutoff", material.alphaCutoff);
+    }
+    if (material.diffuseMap != noImage)
+        program.texture("diffuseMap", scene_.texture(material.diffuseMap, MapUse::colour));
+    if (material.normalMap != noImage)
+        program.texture("normalMap", scene_.texture(material.normalMap, MapUse::data));
+    if (material.emissiveMap != noImage)
+        program.texture("emissiveMap", scene_.texture(material.emissiveMap, MapUse::colour));
+    if (material.alphaMap != noImage)
+        program.texture("alphaMap", scene_.texture(material.alphaMap, MapUse::data));
+}
+
+void ScenePainter::draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
+                        FrameStats::Pass& stats)
+{
+    drawChunks(visibleChunks(scene_.chunks(), scene_.scene().materials, view, cover, cull), view, style, stats);
+    if (style.sky) drawSky(style);
+}
+
+void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
+                              FrameStats::Pass& stats)
+{
+    const gl::Program* lastProgram = nullptr;
+    int lastMaterial = -1;
+    int lastInstance = -1;
+    int lastState = -1;
+    for (const Chunk* chunk : chunks) {
+        const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
+        const int state = (material.twoSided ? 1 : 0) | (material.alphaTested && style.alphaToCoverage ? 2 : 0);
+        if (state != lastState) {
+            // Back faces go before clipping, or the clip plane would show the insides of what it cuts (Fig. 3).
+            gl::apply({.cull = material.twoSided ? gl::Cull::none : gl::Cull::back,
+                       .clockwiseFront = view.mirrored,
+                       .clipDistances = view.clips() ? 1 : 0,
+                       .alphaToCoverage = (state & 2) != 0});
+            lastState = state;
+        }
+        gl::Program& program = sceneProgram(features(material), style, view.clips());
+        const bool newProgram = &program != lastProgram;
+        if (newProgram) program.use();
+        if (newProgram || chunk->material != lastMaterial) setMaterial(program, material);
+        if (newProgram || chunk->instance != lastInstance) {
+            const auto i = static_cast<std::size_t>(chunk->instance);
+            program.set("worldFromModel", scene_.instances()[i].worldFromModel);
+            program.set("worldFromModelNormal", worldFromModelNormal_[i]);
+        }
+        lastProgram = &program;
+        lastMaterial = chunk->material;
+        lastInstance = chunk->instance;
+        scene_.mesh(chunk->mesh).drawIndexed(gl::Primitive::triangles, static_cast<int>(chunk->firstIndex),
+                                             static_cast<int>(chunk->indexCount));
+        stats.triangles += chunk->indexCount / 3;
+        ++stats.drawCalls;
+    }
+}
+
+void ScenePainter::drawSky(const PaintStyle& style)
+{
+    gl::apply({.depthTest = gl::DepthTest::lessEqual, .depthWrite = false});
+    gl::Program& program = skyProgram(style);
+    program.use();
+    if (!style.underwaterEye) program.texture("skyMap", scene_.skyMap());
+    triangle_.draw();
+}
+
+} // namespace tarn

@@ -1,0 +1,52 @@
+// Draws the static scene and its sky from any view: what the scene, refraction and reflection passes share.
+#pragma once
+
+#include "gl/profiler.h"
+#include "gl/shader_library.h"
+#include "render/gpu_scene.h"
+#include "render/renderer.h"
+
+#include <map>
+#include <memory>
+
+namespace tarn {
+
+/// How a view of the scene differs from the plain one.
+struct PaintStyle {
+    bool underwaterEye = false;   ///< between eye and submerged things there is water
+    bool sunDisc = false;         ///< the sky shows the sun itself
+    bool alphaToCoverage = false; ///< the target has several samples: foliage edges use them
+    bool debugNormals = false;    ///< world-space normals in place of radiance
+    bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
+};
+
+class ScenePainter {
+public:
+    ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders);
+
+    /// Compiles what the scene's materials need in a style, so that the first frame does not wait for it.
+    void prepare(const PaintStyle& style, bool clips);
+
+    /// Draws into the bound target. FrameBlock and the view's ViewBlock must be bound.
+    void draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
+              FrameStats::Pass& stats);
+
+private:
+    /// What a material asks of the shader. Bits of a key.
+    unsigned features(const Material& material) const;
+    gl::Program& sceneProgram(unsigned features, const PaintStyle& style, bool clips);
+    gl::Program& skyProgram(const PaintStyle& style);
+    void setMaterial(gl::Program& program, const Material& material) const;
+    void drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
+                    FrameStats::Pass& stats);
+    void drawSky(const PaintStyle& style);
+
+    const GpuScene& scene_;
+    gl::ShaderLibrary& shaders_;
+    std::map<unsigned, std::shared_ptr<gl::Program>> scenePrograms_;
+    std::map<unsigned, std::shared_ptr<gl::Program>> skyPrograms_;
+    std::vector<mat3> worldFromModelNormal_; ///< per instance
+    gl::FullscreenTriangle triangle_;
+};
+
+} // namespace tarn

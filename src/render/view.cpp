@@ -1,0 +1,82 @@
+#include "render/view.h"
+
+#include "optics/refraction_camera.h"
+
+#include <cmath>
+
+namespace tarn {
+
+namespace {
+
+View viewOf(const Camera& camera, float aspect, float extension)
+{
+    View view;
+    view.viewFromWorld = viewFromWorld(camera);
+    view.clipFromView = clipFromView(camera, aspect, extension);
+    view.eye = camera.eye;
+    view.nearPlane = camera.nearPlane;
+    view.farPlane = camera.farPlane;
+    return view;
+}
+
+vec4 keepBelow(float height) { return {0.0f, -1.0f, 0.0f, height}; }
+vec4 keepAbove(float height) { return {0.0f, 1.0f, 0.0f, -height}; }
+
+} // namespace
+
+View mainView(const Camera& camera, float aspect) { return viewOf(camera, aspect, 1.0f); }
+
+View refractionView(const Camera& camera, float aspect, const WaterBody& water, const RefractionOptions& options,
+                    bool underwater)
+{
+    const float height = std::abs(camera.eye.y - water.level);
+    const float extension = optics::fovExtension(height, options.fovExtensionNear, options.fovExtensionFar);
+    View view = viewOf(camera, aspect, extension);
+    if (underwater) {
+        view.clipPlane = keepAbove(water.level - options.clipOffset);
+        return view;
+    }
+    view.clipPlane = keepBelow(water.level + options.clipOffset);
+    if (options.camera == RefractionOptions::CameraMode::snell) {
+        const optics::RefractionCamera turned =
+            optics::refractionCamera(camera.eye, normalize(camera.target - camera.eye), camera.up,
+                                     camera.verticalFov, water.level, water.ior);
+        view.viewFromWorld = glm::lookAt(turned.eye, turned.eye + turned.forward, turned.up);
+        view.eye = turned.eye;
+    }
+    return view;
+}
+
+View reflectionView(const Camera& camera, float aspect, const WaterBody& water, const ReflectionOptions& options,
+                    bool underwater)
+{
+    const float height = std::abs(camera.eye.y - water.level);
+    const float extension = optics::fovExtension(height, options.fovExtensionNear, options.fovExtensionFar);
+    View view = viewOf(camera, aspect, extension);
+    const mat4 mirror = glm::translate(mat4(1.0f), vec3(0.0f, 2.0f * water.level, 0.0f)) *
+                        glm::scale(mat4(1.0f), vec3(1.0f, -1.0f, 1.0f));
+    view.viewFromWorld = view.viewFromWorld * mirror;
+    view.eye.y = 2.0f * water.level - view.eye.y;
+    view.mirrored = true;
+    view.clipPlane = underwater ? keepBelow(water.level + options.clipOffset)
+                                : keepAbove(water.level - options.clipOffset);
+    return view;
+}
+
+blocks::ViewBlock viewBlock(const View& view, ivec2 size)
+{
+    blocks::ViewBlock block{};
+    block.clipFromWorld = view.clipFromWorld();
+    block.viewFromWorld = view.viewFromWorld;
+    block.worldFromClip = glm::inverse(block.clipFromWorld);
+    block.eye = view.eye;
+    block.nearPlane = view.nearPlane;
+    block.clipPlane = view.clipPlane;
+    block.pixels = vec2(size);
+    block.farPlane = view.farPlane;
+    // clipFromView[1][1] is 1 / tan(fov / 2); at the centre a pixel spans 2 tan / height.
+    block.pixelAngle = 2.0f / (view.clipFromView[1][1] * static_cast<float>(size.y));
+    return block;
+}
+
+} // namespace tarn

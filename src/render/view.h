@@ -1,0 +1,38 @@
+// The cameras of a frame: the main one, and those that the refraction and reflection targets are rendered from.
+#pragma once
+
+#include "optics/blocks.h"
+#include "plan/options.h"
+#include "scene/scene.h"
+
+namespace tarn {
+
+/// A camera ready for a pass. All in world space; metres.
+struct View {
+    mat4 viewFromWorld{1.0f};
+    mat4 clipFromView{1.0f};
+    vec3 eye{0.0f};
+    vec4 clipPlane{0.0f};  ///< keeps what has dot(plane, (p, 1)) >= 0; zero keeps everything
+    bool mirrored = false; ///< handedness is flipped, so front faces run clockwise
+    float nearPlane = 0.1f, farPlane = 1000.0f;
+
+    mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
+    bool clips() const { return clipPlane != vec4(0.0f); }
+};
+
+View mainView(const Camera& camera, float aspect);
+
+/// The refraction target's camera. Above the water: the underwater part, from a camera that is turned about the point
+/// O by the angle of refraction (Mihálik 2008, eq. 1–2) or stands where the main one does. Under water: what is
+/// above, from the main camera (section 7.5).
+View refractionView(const Camera& camera, float aspect, const WaterBody& water, const RefractionOptions& options,
+                    bool underwater);
+
+/// The main camera mirrored in the water's plane; sees what is above it, or below it for an eye under water.
+View reflectionView(const Camera& camera, float aspect, const WaterBody& water, const ReflectionOptions& options,
+                    bool underwater);
+
+/// @param size of the target, pixels
+blocks::ViewBlock viewBlock(const View& view, ivec2 size);
+
+} // namespace tarn

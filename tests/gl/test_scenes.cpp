@@ -1,0 +1,86 @@
+#include "test_scenes.h"
+
+#include <array>
+
+namespace tarn::test {
+
+namespace {
+
+void addMesh(Scene& scene, Mesh mesh, int material)
+{
+    for (const Vertex& vertex : mesh.vertices) mesh.bounds.add(vertex.position);
+    mesh.parts = {{material, 0, static_cast<std::uint32_t>(mesh.indices.size()), mesh.bounds}};
+    Primitive primitive;
+    primitive.name = mesh.name = "shape " + std::to_string(scene.meshes.size());
+    primitive.material = material;
+    primitive.mesh = static_cast<int>(scene.meshes.size());
+    scene.meshes.push_back(std::move(mesh));
+    scene.primitives.push_back(primitive);
+    Element element;
+    element.name = element.shape = primitive.name;
+    scene.elements.push_back(element);
+}
+
+void addQuad(Mesh& mesh, const std::array<vec3, 4>& corners, const vec3& normal)
+{
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const vec3& corner : corners)
+        mesh.vertices.push_back({corner, normal, vec4(1.0f, 0.0f, 0.0f, 1.0f), vec2(corner.x, corner.z), 0xffffffffu});
+    for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
+}
+
+} // namespace
+
+int addMaterial(Scene& scene, const vec3& diffuse)
+{
+    Material material;
+    material.name = "material " + std::to_string(scene.materials.size());
+    material.diffuse = diffuse;
+    scene.materials.push_back(material);
+    return static_cast<int>(scene.materials.size()) - 1;
+}
+
+void addFloor(Scene& scene, float height, float edge, int material)
+{
+    const float h = 0.5f * edge;
+    Mesh mesh;
+    addQuad(mesh, {vec3(-h, height, h), vec3(h, height, h), vec3(h, height, -h), vec3(-h, height, -h)},
+            vec3(0.0f, 1.0f, 0.0f));
+    addMesh(scene, std::move(mesh), material);
+}
+
+void addBox(Scene& scene, const vec3& lower, const vec3& upper, int material)
+{
+    Mesh mesh;
+    const vec3 centre = 0.5f * (lower + upper);
+    const vec3 half = 0.5f * (upper - lower);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float sign : {-1.0f, 1.0f}) {
+            vec3 n(0.0f), u(0.0f), v(0.0f);
+            n[axis] = sign;
+            u[(axis + 1) % 3] = 1.0f;
+            v[(axis + 2) % 3] = sign; // u × v = n: counter-clockwise from outside
+            addQuad(mesh, {centre + half * (n - u - v), centre + half * (n + u - v), centre + half * (n + u + v),
+                           centre + half * (n - u + v)},
+                    n);
+        }
+    }
+    addMesh(scene, std::move(mesh), material);
+}
+
+Scene flatLake(float depth, float edge)
+{
+    Scene scene;
+    scene.name = "flat lake";
+    scene.sky.kind = Sky::Kind::constant;
+    scene.sky.radiance = vec3(1.0f);
+    scene.water.present = true;
+    scene.water.extent = vec2(edge);
+    scene.water.absorption = vec3(0.0f);
+    scene.water.colour = vec3(0.0f);
+    addFloor(scene, -depth, edge, addMaterial(scene, vec3(0.5f)));
+    scene.cameras.emplace_back();
+    return scene;
+}
+
+} // namespace tarn::test

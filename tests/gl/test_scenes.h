@@ -1,0 +1,20 @@
+// Small scenes whose picture is known, built in memory.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace tarn::test {
+
+/// A quad of a material, facing up, at a height; edge lengths in metres, centred on the axis.
+void addFloor(Scene& scene, float height, float edge, int material);
+
+/// A box of a material.
+void addBox(Scene& scene, const vec3& lower, const vec3& upper, int material);
+
+int addMaterial(Scene& scene, const vec3& diffuse);
+
+/// A still lake of a given depth over a flat bed, under a constant sky of radiance 1 and no sun; clear water that
+/// takes nothing away, unless the test says so.
+Scene flatLake(float depth, float edge = 400.0f);
+
+} // namespace tarn::test

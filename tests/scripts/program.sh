@@ -1,0 +1,191 @@
+#!/usr/bin/env bash
+# The command line from outside: exit status, the one line of an error, and files that are whole or not there.
+# program.sh PROJECT PROGRAM TEST
+set -euo pipefail
+project=$1 tarn=$2
+source "$project/tests/scripts/lib.sh"
+
+pool=$project/tests/image/scenes/checkered_bed.toml
+
+test_help() {
+    call 0 --help
+    local command
+    for command in view render bench explain options info; do
+        grep -qw "$command" "$work/stdout" || fail "--help does not name $command"
+    done
+    call 0 render --help
+    grep -q -- --camera "$work/stdout" || fail "render --help does not name --camera"
+}
+
+test_version() {
+    call 0 --version
+    grep -Eq '[0-9]+\.[0-9]+\.[0-9]+' "$work/stdout" || fail "--version prints no version"
+}
+
+test_wrong_usage() {
+    refuse 2 'rendr.*render' rendr
+    refuse 2 '--sise.*--size' render "$pool" --sise 8x8 --out a.png
+    refuse 2 'out' render "$pool"
+    refuse 2 'size' render "$pool" --size 8 --out a.png
+    refuse 2 'size' render "$pool" --size 0x8 --out a.png
+    refuse 2 'size' render "$pool" --size 8x-8 --out a.png
+    refuse 2 'size' render "$pool" --size 99999x99999 --out a.png
+    refuse 2 'time' render "$pool" --time soon --out a.png
+    refuse 2 'time' render "$pool" --time nan --out a.png
+    refuse 2 'fov' render "$pool" --fov 200 --out a.png
+    refuse 2 'eye' render "$pool" --eye 1,2 --out a.png
+    refuse 2 'eye' render "$pool" --eye 1,2,inf --out a.png
+    refuse 2 'same point' render "$pool" --eye 1,2,3 --target 1,2,3 --out a.png
+    refuse 2 'frensel.*' render "$pool" --view frensel --out a.png
+    refuse 2 'frames' render "$pool" --frames 0 --out a_%04d.png
+    refuse 2 '%' render "$pool" --frames 3 --out a.png
+    refuse 2 'png' render "$pool" --out a.bmp
+    refuse 2 'png' render "$pool" --out picture
+    only_in_out
+}
+
+test_unknown_option_key() {
+    refuse 2 'refraction\.stpes.*refraction\.steps' render "$pool" --set refraction.stpes=3 --out a.png
+    refuse 2 'refraction\.steps' render "$pool" --set refraction.steps=many --out a.png
+    refuse 2 'refraction\.steps.*64' render "$pool" --set refraction.steps=65 --out a.png
+    refuse 2 'refraction\.method.*iterative' render "$pool" --set refraction.method=magic --out a.png
+    refuse 2 'refraction\.steps' render "$pool" --set refraction.steps --out a.png
+    only_in_out
+}
+
+test_unknown_camera() {
+    refuse 2 'abvoe.*above' render "$pool" --camera abvoe --out a.png
+    only_in_out
+}
+
+test_missing_scene() {
+    refuse 1 'nowhere\.toml' render nowhere.toml --out a.png
+    refuse 1 'nowhere\.obj' info nowhere.obj
+    mkdir "$work/folder.toml"
+    refuse 1 'folder\.toml' render "$work/folder.toml" --out a.png
+    only_in_out
+}
+
+test_bad_scene() {
+    printf '[water]\nlevle = 1.0\n' >"$work/scene.toml"
+    refuse 1 'scene\.toml:2.*levle.*level' render "$work/scene.toml" --out a.png
+    printf '[water\n' >"$work/scene.toml"
+    refuse 1 'scene\.toml:1' render "$work/scene.toml" --out a.png
+    printf '[options]\nrefraction.stpes = 1\n' >"$work/scene.toml"
+    refuse 1 'scene\.toml:2.*refraction\.stpes.*refraction\.steps' render "$work/scene.toml" --out a.png
+    head -c 4096 /dev/urandom >"$work/scene.obj"
+    refuse 1 'scene\.obj' render "$work/scene.obj" --out a.png
+    only_in_out
+}
+
+test_missing_output_folder() {
+    refuse 1 'no/such/folder' render "$pool" --out no/such/folder/a.png
+    refuse 1 'no/such/folder' render "$pool" --all-cameras --out no/such/folder
+    refuse 1 'no/such/folder' info "$pool" --json no/such/folder/a.json
+    mkdir a.png
+    refuse 1 'a\.png' render "$pool" --out a.png
+    only_in_out
+}
+
+# Root may write where it likes: there only a folder of the kernel's refuses.
+test_unwritable_output() {
+    local folder=$work/closed
+    mkdir "$folder"
+    chmod a-w "$folder"
+    [[ $(id -u) -ne 0 ]] || folder=/proc
+    refuse 1 "$folder" render "$pool" --size 16x16 --out "$folder/a.png"
+    refuse 1 "$folder" info "$pool" --json "$folder/a.json"
+    [[ $(id -u) -eq 0 || -z $(ls -A "$folder") ]] || fail "something was left in $folder"
+}
+
+# A picture that does not fit on the disk is not there at all, and the one it would replace is still whole.
+test_full_disk() {
+    call 0 render "$pool" --size 16x16 --out a.png
+    local before status=0
+    before=$(cksum <a.png)
+    (
+        ulimit -f 8
+        trap '' XFSZ
+        "$tarn" render "$pool" --size 640x480 --set frame.msaa=1 --out a.png >"$work/stdout" 2>"$work/stderr" </dev/null
+    ) || status=$?
+    [[ $status == 1 ]] || fail "a picture that cannot be written whole ended with $status"
+    [[ $(cksum <a.png) == "$before" ]] || fail "the old picture is damaged"
+    only_in_out a.png
+}
+
+test_standard_output_closed() {
+    [[ -w /dev/full ]] || fail "this system has no /dev/full"
+    local status=0
+    "$tarn" options >/dev/full 2>"$work/stderr" </dev/null || status=$?
+    [[ $status == 1 ]] || fail "results that cannot be written ended with $status"
+    [[ $(grep -c '' "$work/stderr") == 1 ]] || fail "the error is not one line"
+}
+
+test_picture() {
+    call 0 render "$pool" --camera above --size 64x48 --check --out a.png
+    [[ $(cat "$work/stdout") == *a.png ]] || fail "the picture's name is not printed"
+    [[ ! -s $work/stderr ]] || fail "a good run says something on standard error"
+    # The PNG header: width 64, height 48.
+    [[ $(od -An -tx1 -j16 -N8 a.png | tr -d ' \n') == 0000004000000030 ]] || fail "a.png is not 64x48"
+    call 0 render "$pool" --eye 0,5,1 --target 0,0,0 --fov 40 --size 32x32 --out b.exr
+    [[ $(od -An -tx1 -N4 b.exr | tr -d ' \n') == 762f3101 ]] || fail "b.exr is no OpenEXR file"
+    only_in_out a.png b.exr
+}
+
+test_repeats_itself() {
+    local i
+    for i in 1 2; do
+        call 0 render "$project/tests/image/scenes/waves.toml" --time 1.25 --size 64x48 --out "$i.png"
+    done
+    cmp 1.png 2.png || fail "two runs made two pictures"
+}
+
+test_sequence() {
+    local waves=$project/tests/image/scenes/waves.toml
+    call 0 render "$waves" --size 32x24 --time 1 --frames 3 --fps 4 --out 'wave_%04d.png'
+    only_in_out wave_0000.png wave_0001.png wave_0002.png
+    call 0 render "$waves" --size 32x24 --time 1.25 --out one.png
+    ! cmp -s wave_0000.png wave_0001.png || fail "the waves do not move"
+    cmp wave_0001.png one.png || fail "the second picture is not that of 1.25 s"
+}
+
+test_all_cameras() {
+    call 0 render "$pool" --size 32x24 --all-cameras --out .
+    [[ $(grep -c '' "$work/stdout") == 4 ]] || fail "not one line for each of the four cameras"
+    [[ $(find . -name '*.png' | grep -c '') == 4 ]] || fail "not four pictures"
+}
+
+test_json() {
+    call 0 info "$pool" --json -
+    grep -q '"cameras"' "$work/stdout" || fail "info does not tell the cameras"
+    call 0 render "$pool" --size 32x24 --json a.json --out a.png
+    grep -q '"triangles"' a.json || fail "render's JSON does not count triangles"
+    call 0 bench "$pool" --size 32x24 --frames 3 --json b.json
+    grep -q '"renderer"' b.json && grep -q '"median' b.json || fail "bench's JSON lacks the machine or the median"
+    only_in_out a.json a.png b.json
+}
+
+test_options() {
+    call 0 options
+    grep -q 'refraction.steps' "$work/stdout" || fail "options does not list refraction.steps"
+    call 0 options --json
+    [[ $(head -c 1 "$work/stdout") =~ [[{] ]] || fail "options --json prints no JSON"
+}
+
+test_explain() {
+    call 0 explain "$project/tests/image/scenes/furnace.toml"
+    grep -qi refraction "$work/stdout" || fail "explain does not speak of refraction"
+}
+
+test_no_window() {
+    refuse 1 'window' view "$pool"
+}
+
+test_scene_with_spaces() {
+    mkdir "$work/a folder"
+    cp "$project/tests/image/scenes/"*.{toml,png} "$work/a folder/"
+    call 0 render "$work/a folder/checkered_bed.toml" --size 16x16 --out "$work/out/a picture.png"
+    only_in_out "a picture.png"
+}
+
+run_test "$3"

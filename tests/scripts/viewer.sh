@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# The viewer in a real window on a display of its own: opened, every key pressed, resized, photographed, closed.
+# viewer.sh PROJECT TARN TARN_OSMESA COMPARE
+set -euo pipefail
+project=$1 tarn=$2 osmesa=$3 compare=$4
+source "$project/tests/scripts/lib.sh"
+
+scene=$project/tests/image/scenes/post.toml
+
+# Waits until the command succeeds; a hundred attempts are twenty seconds.
+until_true() {
+    local what=$1 i
+    shift
+    for ((i = 0; i < 100; i++)); do
+        if "$@" >/dev/null 2>&1; then return 0; fi
+        kill -0 "$viewer" 2>/dev/null || fail "the viewer ended while the test waited for $what"
+        sleep 0.2
+    done
+    fail "waited in vain for $what"
+}
+
+start_display() {
+    Xvfb -displayfd 4 -screen 0 1280x1024x24 -nolisten tcp 4>"$work/display" >"$work/xvfb.log" 2>&1 &
+    server=$!
+    local i
+    for ((i = 0; i < 100; i++)); do
+        [[ ! -s $work/display ]] || break
+        sleep 0.1
+    done
+    [[ -s $work/display ]] || fail "Xvfb did not start: $(cat "$work/xvfb.log")"
+    DISPLAY=:$(cat "$work/display")
+    export DISPLAY
+}
+
+stop_all() {
+    [[ -z ${viewer-} ]] || kill "$viewer" 2>/dev/null || true
+    [[ -z ${server-} ]] || kill "$server" 2>/dev/null || true
+}
+
+press() {
+    local key
+    for key in "$@"; do
+        xdotool key --window "$window" "$key"
+        sleep 0.1
+        kill -0 "$viewer" 2>/dev/null || fail "the viewer ended when '$key' was pressed"
+    done
+}
+
+picture_there() { [[ -n $(find "$work/out" -name '*.png' -size +1k) ]]; }
+
+test_viewer() {
+    start_display
+    trap 'stop_all; rm -rf "$work"' EXIT
+    "$tarn" view "$scene" --camera shore --size 640x480 --time 0 >"$work/stdout" 2>"$work/stderr" </dev/null &
+    viewer=$!
+    until_true "the window" xdotool search --onlyvisible --name '[Tt]arn'
+    window=$(xdotool search --onlyvisible --name '[Tt]arn' | head -n 1)
+    xdotool windowfocus "$window"
+
+    # The scene is still, so the picture is the one that tarn-osmesa draws, whatever the time.
+    press p 1
+    sleep 0.5
+    press F12
+    until_true "the screenshot" picture_there
+    photo=$(find "$work/out" -name '*.png' | head -n 1)
+    "$osmesa" render "$scene" --camera shore --size 640x480 --time 0 --out "$work/reference.png" >/dev/null
+    "$compare" "$work/reference.png" "$photo" || fail "the screenshot is not like the headless picture"
+
+    # Everything the help names, twice where it switches something.
+    press c c u u g g r r f f p p v v v v v v v v v h h Tab Tab 1 2 3 9 w a s d Up Down Left Right shift q e
+    xdotool mousemove --window "$window" 200 200 mousedown 1 mousemove_relative 40 10 mouseup 1 click 4 click 5
+    local size
+    for size in "800 300" "200 700" "640 480"; do
+        # shellcheck disable=SC2086
+        xdotool windowsize "$window" $size
+        sleep 0.4
+        kill -0 "$viewer" 2>/dev/null || fail "the viewer ended when it was resized to $size"
+    done
+    xdotool windowminimize "$window" windowmap "$window"
+    sleep 0.4
+    xdotool windowfocus "$window" || true
+    press Escape 2>/dev/null || true
+
+    local status=0
+    wait "$viewer" || status=$?
+    viewer=""
+    [[ $status == 0 ]] || fail "the viewer ended with $status"
+    ! grep -Ei 'error' "$work/stderr" || fail "the viewer printed an error"
+}
+
+run_test viewer

@@ -1,0 +1,208 @@
+// Command lines, right and wrong, and what a person is told.
+
+#include "app/command_line.h"
+#include "app/parse.h"
+#include "app/program.h"
+#include "base/error.h"
+
+#include <gtest/gtest.h>
+
+namespace tarn
+{
+namespace
+{
+
+template <typename C> C parsed(const std::vector<std::string>& words)
+{
+    return std::get<C>(parseCommandLine(words));
+}
+
+std::string complaint(const std::vector<std::string>& words)
+{
+    try {
+        parseCommandLine(words);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(CommandLine, ViewIsTheDefault)
+{
+    EXPECT_TRUE(parsed<ViewCommand>({}).scene.file.empty());
+    EXPECT_EQ(parsed<ViewCommand>({"lake.toml"}).scene.file, "lake.toml");
+    EXPECT_EQ(parsed<ViewCommand>({"--size", "640x480"}).view.size, ivec2(640, 480));
+    EXPECT_EQ(parsed<ViewCommand>({"--frames", "3", "a/b.obj"}).frames, 3);
+    EXPECT_EQ(parsed<ViewCommand>({"view", "lake.toml", "--camera", "pier"}).view.camera.name, "pier");
+    EXPECT_TRUE(parsed<ViewCommand>({}).vsync);
+    EXPECT_FALSE(parsed<ViewCommand>({"--no-vsync"}).vsync);
+    EXPECT_TRUE(parsed<ViewCommand>({"--fullscreen"}).fullscreen);
+}
+
+TEST(CommandLine, RenderTakesAllItsFlags)
+{
+    const auto c = parsed<RenderCommand>({"render",
+                                          "s.toml",
+                                          "--eye",
+                                          "-1,2.5,3e1",
+                                          "--target=0,0,-4",
+                                          "--up",
+                                          "0,0,-1",
+                                          "--fov",
+                                          "90",
+                                          "--size",
+                                          "320x240",
+                                          "--time",
+                                          "-1.5",
+                                          "--view",
+                                          "path-length",
+                                          "--set",
+                                          "refraction.steps=3",
+                                          "--set",
+                                          "water.level=1",
+                                          "--options",
+                                          "o.toml",
+                                          "--water-level",
+                                          "-0.5",
+                                          "--out",
+                                          "f_%04d.png",
+                                          "--frames",
+                                          "5",
+                                          "--fps",
+                                          "25",
+                                          "--check",
+                                          "--json",
+                                          "-"});
+    EXPECT_EQ(c.scene.file, "s.toml");
+    EXPECT_EQ(*c.view.camera.eye, vec3(-1.0f, 2.5f, 30.0f));
+    EXPECT_EQ(*c.view.camera.target, vec3(0.0f, 0.0f, -4.0f));
+    EXPECT_EQ(*c.view.camera.up, vec3(0.0f, 0.0f, -1.0f));
+    EXPECT_NEAR(*c.view.camera.verticalFov, pi / 2.0f, 1e-6f);
+    EXPECT_EQ(c.view.size, ivec2(320, 240));
+    EXPECT_DOUBLE_EQ(c.view.time, -1.5);
+    EXPECT_EQ(c.debugView, DebugView::pathLength);
+    EXPECT_EQ(c.scene.settings.assignments,
+              (std::vector<std::string>{"refraction.steps=3", "water.level=1"}));
+    ASSERT_EQ(c.scene.settings.files.size(), 1u);
+    EXPECT_EQ(c.scene.settings.files[0], "o.toml");
+    EXPECT_FLOAT_EQ(*c.scene.waterLevel, -0.5f);
+    EXPECT_EQ(c.out, "f_%04d.png");
+    EXPECT_EQ(c.frames, 5);
+    EXPECT_DOUBLE_EQ(c.fps, 25.0);
+    EXPECT_TRUE(c.check);
+    EXPECT_EQ(c.json, "-");
+}
+
+TEST(CommandLine, SetDoesNotSwallowTheScene)
+{
+    const auto c =
+        parsed<RenderCommand>({"render", "--set", "refraction.steps=3", "s.toml", "--out", "a.png"});
+    EXPECT_EQ(c.scene.file, "s.toml");
+    EXPECT_EQ(c.scene.settings.assignments.size(), 1u);
+}
+
+TEST(CommandLine, OptionsJsonMayLeaveTheFileOut)
+{
+    EXPECT_EQ(parsed<OptionsCommand>({"options"}).json, "");
+    EXPECT_EQ(parsed<OptionsCommand>({"options", "--json"}).json, "-");
+    EXPECT_EQ(parsed<OptionsCommand>({"options", "--json", "o.json"}).json, "o.json");
+}
+
+TEST(CommandLine, BenchVariants)
+{
+    const auto c =
+        parsed<BenchCommand>({"bench", "--frames", "7", "--vary", "refraction.steps=1", "--vary", "a.b=c"});
+    EXPECT_EQ(c.frames, 7);
+    EXPECT_EQ(c.variants, (std::vector<std::string>{"refraction.steps=1", "a.b=c"}));
+}
+
+TEST(CommandLine, HelpAndVersionAreText)
+{
+    EXPECT_NE(parsed<PrintCommand>({"--help"}).text.find("bench"), std::string::npos);
+    EXPECT_NE(parsed<PrintCommand>({"render", "--help"}).text.find("--all-cameras"), std::string::npos);
+    EXPECT_EQ(parsed<PrintCommand>({"--version"}).text.rfind("tarn ", 0), 0u);
+}
+
+TEST(CommandLine, UnknownWordsAreToldWithTheNearest)
+{
+    EXPECT_NE(complaint({"rendr"}).find("did you mean render?"), std::string::npos);
+    EXPECT_NE(complaint({"render", "--out", "a.png", "--camra", "x"}).find("did you mean --camera?"),
+              std::string::npos);
+    EXPECT_NE(complaint({"--frame=3"}).find("--frame: no such flag, did you mean --frames?"),
+              std::string::npos);
+    EXPECT_NE(complaint({"render", "a.toml", "b.toml", "--out", "c.png"}).find("b.toml"), std::string::npos);
+    EXPECT_NE(complaint({"render", "--out", "a.png", "--view", "depth"}).find("scene-depth"),
+              std::string::npos);
+}
+
+TEST(CommandLine, WrongUses)
+{
+    EXPECT_NE(complaint({"render"}).find("--out"), std::string::npos);
+    EXPECT_NE(complaint({"render", "--out"}), "");
+    EXPECT_NE(complaint({"render", "--all-cameras", "--frames", "2", "--out", "d"}), "");
+    EXPECT_NE(complaint({"render", "--all-cameras", "--camera", "a", "--out", "d"}), "");
+    EXPECT_NE(complaint({"bench", "--frames", "0"}).find("--frames 0"), std::string::npos);
+    EXPECT_NE(complaint({"render", "--fov", "180", "--out", "a.png"}), "");
+    EXPECT_NE(complaint({"render", "--time", "soon", "--out", "a.png"}).find("soon"), std::string::npos);
+}
+
+TEST(Parse, Sizes)
+{
+    EXPECT_EQ(parseSize("1x16384", "--size"), ivec2(1, 16384));
+    for (const char* wrong : {"", "x", "640", "640x", "x480", "0x5", "5x0", "-4x4", "640x480x3", "1e2x5",
+                              "16385x1", "640 x480", "99999999999x1"})
+        EXPECT_THROW(parseSize(wrong, "--size"), UsageError) << wrong;
+}
+
+TEST(Parse, Vectors)
+{
+    EXPECT_EQ(parseVec3("1,+2,-.5", "--eye"), vec3(1.0f, 2.0f, -0.5f));
+    for (const char* wrong :
+         {"", "1", "1,2", "1,2,3,4", "1,2,", ",,", "a,b,c", "nan,0,0", "inf,0,0", "1e99,0,0", "1 2 3"})
+        EXPECT_THROW(parseVec3(wrong, "--eye"), UsageError) << wrong;
+}
+
+TEST(Parse, NumbersKeepTheirRange)
+{
+    EXPECT_DOUBLE_EQ(parseNumber("2", "--fov", 1.0, 2.0), 2.0);
+    for (const char* wrong : {"", "0.99", "2.01", "nan", "inf", "1x", "0x1p0"})
+        EXPECT_THROW(parseNumber(wrong, "--fov", 1.0, 2.0), UsageError) << wrong;
+    EXPECT_EQ(parseCount("10", "--frames", 1, 10), 10);
+    for (const char* wrong : {"0", "11", "1.5", "ten", "99999999999"})
+        EXPECT_THROW(parseCount(wrong, "--frames", 1, 10), UsageError) << wrong;
+}
+
+TEST(Program, ExitStatusAndOneLineOfError)
+{
+    const auto unused = [](const ViewCommand&) { FAIL() << "the viewer was not asked for"; };
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(runProgram({"render", "--no-such-flag"}, unused), 2);
+    const std::string usage = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(usage.rfind("tarn: error: --no-such-flag", 0), 0u) << usage;
+    EXPECT_EQ(usage.find('\n'), usage.size() - 1) << usage;
+
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(runProgram({"explain", "no/such/scene.toml"}, unused), 1);
+    const std::string missing = testing::internal::GetCapturedStderr();
+    EXPECT_NE(missing.find("no/such/scene.toml"), std::string::npos) << missing;
+    EXPECT_EQ(missing.find('\n'), missing.size() - 1) << missing;
+
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(runProgram({"view"}, [](const ViewCommand&) { throw Error("two\nlines"); }), 1);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "tarn: error: two lines\n");
+}
+
+TEST(Program, ViewRunsTheViewerOnce)
+{
+    int views = 0;
+    EXPECT_EQ(runProgram({"--time", "2"},
+                         [&](const ViewCommand& command) {
+                             ++views;
+                             EXPECT_DOUBLE_EQ(command.view.time, 2.0);
+                         }),
+              0);
+    EXPECT_EQ(views, 1);
+}
+
+} // namespace
+} // namespace tarn

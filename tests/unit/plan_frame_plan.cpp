@@ -1,0 +1,136 @@
+// Which passes a frame runs, and that it says why.
+#include "plan/frame_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tarn {
+
+namespace {
+
+WaterBody lake()
+{
+    WaterBody water;
+    water.present = true;
+    water.level = 1.0f;
+    water.extent = vec2(40.0f, 20.0f);
+    water.centre = vec2(5.0f, 0.0f);
+    return water;
+}
+
+Camera cameraAt(const vec3& eye, const vec3& target)
+{
+    Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    return camera;
+}
+
+FramePlan planFor(const WaterBody& water, const Camera& camera, const Options& options = {}, double time = 0.0)
+{
+    Scene scene;
+    scene.water = water;
+    return planFrame(scene, water, camera, options, {640, 480}, time);
+}
+
+void expectReasons(const FramePlan& plan)
+{
+    for (const PassPlan& pass : plan.passes) {
+        EXPECT_FALSE(pass.reason.empty());
+        EXPECT_EQ(pass.wanted, pass.size.x > 0 && pass.size.y > 0);
+    }
+}
+
+} // namespace
+
+TEST(FramePlan, WaterInViewNeedsEveryPass)
+{
+    Options options;
+    options.refraction.targetSize = 256;
+    const FramePlan plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
+    for (const PassPlan& pass : plan.passes) EXPECT_TRUE(pass.wanted);
+    EXPECT_FALSE(plan.underwater);
+    EXPECT_EQ(plan[PassId::refraction].size, ivec2(256));
+    EXPECT_EQ(plan[PassId::scene].size, ivec2(640, 480));
+    expectReasons(plan);
+}
+
+TEST(FramePlan, NothingOfTheWaterRunsWithoutIt)
+{
+    const Camera camera = cameraAt({0, 4, 15}, {0, 0, 0});
+    WaterBody none = lake();
+    none.present = false;
+    Options off;
+    off.water.enabled = false;
+    const Camera away = cameraAt({0, 4, 15}, {0, 60, 100});
+    for (const FramePlan& plan :
+         {planFor(none, camera), planFor(lake(), camera, off), planFor(lake(), away)}) {
+        EXPECT_FALSE(plan[PassId::water].wanted);
+        EXPECT_FALSE(plan[PassId::refraction].wanted);
+        EXPECT_FALSE(plan[PassId::reflection].wanted);
+        EXPECT_TRUE(plan[PassId::scene].wanted);
+        EXPECT_TRUE(plan[PassId::present].wanted);
+        expectReasons(plan);
+    }
+}
+
+TEST(FramePlan, SwitchesTurnOffOnePassEach)
+{
+    Options options;
+    options.refraction.enabled = false;
+    FramePlan plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
+    EXPECT_FALSE(plan[PassId::refraction].wanted);
+    EXPECT_TRUE(plan[PassId::reflection].wanted);
+    EXPECT_TRUE(plan[PassId::water].wanted);
+
+    options = {};
+    options.reflection.enabled = false;
+    plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
+    EXPECT_TRUE(plan[PassId::refraction].wanted);
+    EXPECT_FALSE(plan[PassId::reflection].wanted);
+}
+
+TEST(FramePlan, TheEyeIsUnderTheMovingSurfaceNotTheLevel)
+{
+    WaterBody water = lake();
+    water.waves = {{0.5f, 10.0f, 0.0f, 0.0f, 2.0f}};
+    const auto under = [&](const vec3& eye, double time) {
+        return planFor(water, cameraAt(eye, eye + vec3(0, 0, -1)), {}, time).underwater;
+    };
+    // y = level + 0.5 sin(2π x / 10 - π t): a crest at x = 2.5 and a trough at x = 7.5 for t = 0, swapped at t = 1.
+    EXPECT_TRUE(under({2.5f, 1.4f, 0.0f}, 0.0));
+    EXPECT_FALSE(under({2.5f, 1.4f, 0.0f}, 1.0));
+    EXPECT_FALSE(under({7.5f, 0.6f, 0.0f}, 0.0));
+    EXPECT_TRUE(under({7.5f, 0.6f, 0.0f}, 1.0));
+    // Beside the water's rectangle there is none to be under.
+    EXPECT_FALSE(under({2.5f, 0.0f, 11.0f}, 0.0));
+}
+
+TEST(FramePlan, SurfaceHeightKeepsItsPhaseForDays)
+{
+    WaterBody water = lake();
+    water.waves = {{0.1f, 0.5f, 0.3f, 1.0f, 0.0f}};
+    const double omega = std::sqrt(9.81 * 2.0 * 3.14159265358979 / 0.5);
+    const double period = 2.0 * 3.14159265358979 / omega;
+    EXPECT_NEAR(surfaceHeight(water, {1.0f, 2.0f}, 0.2), surfaceHeight(water, {1.0f, 2.0f}, 0.2 + 1.0e6 * period),
+                1.0e-5);
+}
+
+TEST(FramePlan, BoundsHoldTheSurface)
+{
+    WaterBody water = lake();
+    water.waves = {{0.2f, 3.0f, 0.0f, 0.0f, 0.0f}, {-0.1f, 1.0f, 1.0f, 0.0f, 0.0f}};
+    const Bounds bounds = waterBounds(water);
+    EXPECT_FLOAT_EQ(bounds.lower.y, 0.7f);
+    EXPECT_FLOAT_EQ(bounds.upper.y, 1.3f);
+    EXPECT_FLOAT_EQ(bounds.lower.x, -15.0f);
+    EXPECT_FLOAT_EQ(bounds.upper.z, 10.0f);
+    for (int i = 0; i < 1000; ++i) {
+        const float height = surfaceHeight(water, vec2(0.37f * static_cast<float>(i), 0.11f), 0.1 * i);
+        EXPECT_GE(height, bounds.lower.y);
+        EXPECT_LE(height, bounds.upper.y);
+    }
+}
+
+} // namespace tarn

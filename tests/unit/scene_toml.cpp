@@ -1,0 +1,508 @@
+// Scene files: what each table becomes, and that saving and loading give the same scene again.
+#include "base/files.h"
+#include "base/log.h"
+#include "scene/scene_file.h"
+#include "temp_folder.h"
+
+#include <cmath>
+
+namespace tarn::test {
+namespace {
+
+const std::string bed = "[[primitives]]\nname = 'bed'\nkind = 'plane'\n";
+
+class TomlTest : public ::testing::Test {
+protected:
+    TempFolder folder;
+    log::Capture log;
+
+    Scene load(const std::string& text) { return loadScene(folder.file("test.toml", text)); }
+};
+
+TEST_F(TomlTest, OnePlaneIsAScene)
+{
+    const Scene scene = load(bed);
+    EXPECT_EQ(scene.name, "test");
+    EXPECT_EQ(flatten(scene).size(), 1u);
+    EXPECT_FALSE(scene.sun);
+    EXPECT_EQ(scene.sky.kind, Sky::Kind::daylight);
+    EXPECT_FALSE(scene.water.present);
+    EXPECT_EQ(scene.cameras.size(), 3u);
+    EXPECT_TRUE(log.messages().empty());
+}
+
+TEST_F(TomlTest, Sun)
+{
+    const auto sun = [&](const std::string& keys) { return load(bed + "[sun]\n" + keys).sun.value(); };
+    const Sun low = sun("elevation = 30\nazimuth = 90.0\n");
+    EXPECT_LT(glm::distance(low.direction, vec3(0.0f, 0.5f, std::sqrt(0.75f))), 1e-6f);
+    EXPECT_TRUE(low.automatic);
+    EXPECT_LT(glm::distance(sun("direction = [0, 2, 0]").direction, vec3(0, 1, 0)), 1e-6f);
+    EXPECT_TRUE(sun("irradiance = 'auto'").automatic);
+    EXPECT_EQ(sun("irradiance = 5").irradiance, vec3(5.0f));
+    EXPECT_FALSE(sun("irradiance = [1, 2.5, 3]").automatic);
+    EXPECT_EQ(sun("irradiance = [1, 2.5, 3]").irradiance, vec3(1.0f, 2.5f, 3.0f));
+}
+
+TEST_F(TomlTest, WaterAndWaves)
+{
+    const WaterBody water = load(bed + R"(
+        [water]
+        level = -0.5
+        centre = [1, 2]
+        extent = 30
+        ior = 1.31
+        absorption = [0.4, 0.1, 0.05]
+        colour = 0.25
+        [[water.waves]]
+        amplitude = 0.1
+        wavelength = 3
+        direction = 90
+        phase = 180
+        period = 2
+        [[water.waves]]
+    )").water;
+    EXPECT_TRUE(water.present);
+    EXPECT_EQ(water.level, -0.5f);
+    EXPECT_EQ(water.centre, vec2(1.0f, 2.0f));
+    EXPECT_EQ(water.extent, vec2(30.0f));
+    EXPECT_EQ(water.ior, 1.31f);
+    EXPECT_EQ(water.absorption, vec3(0.4f, 0.1f, 0.05f));
+    EXPECT_EQ(water.colour, vec3(0.25f));
+    ASSERT_EQ(water.waves.size(), 2u);
+    EXPECT_FLOAT_EQ(water.waves[0].direction, pi / 2.0f);
+    EXPECT_FLOAT_EQ(water.waves[0].phase, pi);
+    EXPECT_EQ(water.waves[0].period, 2.0f);
+    EXPECT_EQ(water.waves[1].wavelength, Wave().wavelength);
+}
+
+TEST_F(TomlTest, OptionsAreFlattened)
+{
+    const Scene scene = load(bed + R"(
+        [options]
+        frame.exposure = 0.1
+        refraction = { steps = 3, method = "planar" }
+        "water.enabled" = true
+        a.b = [1, 2.5, 3]
+    )");
+    std::map<std::string, std::string> options;
+    for (const auto& option : scene.options) options[option.key] = option.value;
+    EXPECT_EQ(options, (std::map<std::string, std::string>{{"frame.exposure", "0.1"}, {"refraction.steps", "3"},
+                                                           {"refraction.method", "planar"}, {"water.enabled", "true"},
+                                                           {"a.b", "1,2.5,3"}}));
+    for (const auto& option : scene.options) {
+        if (option.key == "frame.exposure") {
+            EXPECT_CONTAINS(option.origin, "test.toml:6");
+        }
+    }
+}
+
+TEST_F(TomlTest, MaterialsAndOverrides)
+{
+    folder.file("x.mtl", "newmtl own\nKd 1 0 0\n");
+    folder.file("x.obj", "mtllib x.mtl\nusemtl own\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Scene scene = load(R"(
+        [[materials]]
+        name = "gold"
+        diffuse = [1, 0.8, 0.1]
+        specular = 0.5
+        shininess = 200
+        emissive = [0, 0, 2]
+        two_sided = true
+        [[models]]
+        name = "as it is"
+        file = "x.obj"
+        [[models]]
+        name = "gilded"
+        file = "x.obj"
+        material = "gold"
+        [[primitives]]
+        name = "ball"
+        kind = "sphere"
+        material = "gold"
+    )");
+    const auto materialOf = [&](int mesh) {
+        return scene.materials[static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(mesh)].parts[0].material)].name;
+    };
+    EXPECT_EQ(materialOf(scene.models[0].mesh), "own");
+    EXPECT_EQ(materialOf(scene.models[1].mesh), "gold");
+    EXPECT_EQ(materialOf(scene.primitives[0].mesh), "gold");
+    EXPECT_EQ(scene.materials[0].specular, vec3(0.5f));
+    EXPECT_EQ(scene.materials[0].emissive, vec3(0.0f, 0.0f, 2.0f));
+    EXPECT_TRUE(scene.materials[0].twoSided);
+}
+
+TEST_F(TomlTest, ElementsNest)
+{
+    const Scene scene = load(bed + R"(
+        [[elements]]
+        name = "group"
+        translation = [1, 0, 0]
+        [[elements.children]]
+        shape = "bed"
+        scale = 2
+        [[elements.children]]
+        shape = "bed"
+        rotation = [0, 90, 0]
+        visible = false
+    )");
+    ASSERT_EQ(scene.elements.size(), 1u);
+    ASSERT_EQ(scene.elements[0].children.size(), 2u);
+    EXPECT_FLOAT_EQ(scene.elements[0].children[1].rotation.y, pi / 2.0f);
+    ASSERT_EQ(flatten(scene).size(), 1u);
+    EXPECT_FLOAT_EQ(worldBounds(scene).upper.x, 2.0f);
+}
+
+TEST_F(TomlTest, AMissingModelAmongOthersIsAWarning)
+{
+    const Scene scene = load(bed + "[[models]]\nname = 'trees'\nfile = 'none.obj'\n");
+    EXPECT_EQ(flatten(scene).size(), 1u);
+    EXPECT_TRUE(log.contains("none.obj: no such file; check the path; drawn without the model 'trees'"));
+}
+
+TEST_F(TomlTest, AMissingSkyPictureIsAWarning)
+{
+    const Scene scene = load(bed + "[sky]\nkind = 'picture'\nfile = 'none.exr'\n");
+    EXPECT_EQ(scene.sky.kind, Sky::Kind::daylight);
+    EXPECT_TRUE(log.contains("test.toml:6"));
+}
+
+TEST_F(TomlTest, SkyPictureOfAWrongShapeIsAWarning)
+{
+    Image image;
+    image.width = 5;
+    image.height = 3;
+    image.channels = 3;
+    image.bytes.resize(image.size());
+    writeImage(folder.path() / "sky.png", image);
+    load(bed + "[sky]\nkind = 'picture'\nfile = 'sky.png'\n");
+    EXPECT_TRUE(log.contains("5x3 pixels is neither"));
+}
+
+TEST_F(TomlTest, WindowsTextWithByteOrderMark)
+{
+    EXPECT_EQ(load("\xef\xbb\xbf[[primitives]]\r\nname = 'b'\r\nkind = 'box'\r\n").primitives.size(), 1u);
+}
+
+// ---- primitives
+
+float surfaceArea(const Mesh& mesh)
+{
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const Vertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]],
+                     &c = mesh.vertices[mesh.indices[i + 2]];
+        const vec3 normal = glm::cross(b.position - a.position, c.position - a.position);
+        EXPECT_GT(glm::dot(normal, a.normal), 0.0f) << "counter-clockwise from where the normals point";
+        sum += 0.5f * glm::length(normal);
+    }
+    return sum;
+}
+
+TEST_F(TomlTest, PlaneBoxAndSphere)
+{
+    const Scene scene = load(R"(
+        [[primitives]]
+        name = "plane"
+        kind = "plane"
+        size = [4, 1, 6]
+        segments = 3
+        uv_scale = [2, 3]
+        [[primitives]]
+        name = "box"
+        kind = "box"
+        size = [1, 2, 3]
+        [[primitives]]
+        name = "sphere"
+        kind = "sphere"
+        size = [2, 2, 2]
+    )");
+    const Mesh& plane = scene.meshes[0];
+    EXPECT_NEAR(surfaceArea(plane), 24.0f, 1e-4f);
+    EXPECT_EQ(plane.indices.size(), 3u * 18);
+    for (const Vertex& v : plane.vertices) {
+        EXPECT_EQ(v.normal, vec3(0, 1, 0));
+        EXPECT_LT(glm::distance(vec3(v.tangent), vec3(1, 0, 0)), 1e-6f);
+        EXPECT_NEAR(v.uv.x, 2.0f * (v.position.x / 4.0f + 0.5f), 1e-5f);
+        EXPECT_NEAR(v.uv.y, 3.0f * (0.5f - v.position.z / 6.0f), 1e-5f);
+        const vec3 bitangent = v.tangent.w * glm::cross(v.normal, vec3(v.tangent));
+        EXPECT_LT(glm::distance(bitangent, vec3(0, 0, -1)), 1e-6f);
+    }
+    const Mesh& box = scene.meshes[1];
+    EXPECT_NEAR(surfaceArea(box), 22.0f, 1e-4f);
+    EXPECT_EQ(box.vertices.size(), 24u);
+    EXPECT_EQ(box.bounds.upper, vec3(0.5f, 1.0f, 1.5f));
+    for (const Vertex& v : box.vertices) EXPECT_GT(glm::dot(v.normal, v.position), 0.0f);
+
+    const Mesh& sphere = scene.meshes[2];
+    EXPECT_NEAR(surfaceArea(sphere), 4.0f * pi, 0.05f);
+    for (const Vertex& v : sphere.vertices) {
+        EXPECT_NEAR(glm::length(v.position), 1.0f, 1e-5f);
+        EXPECT_LT(glm::distance(v.position, v.normal), 1e-5f);
+        EXPECT_NEAR(glm::dot(v.normal, vec3(v.tangent)), 0.0f, 1e-5f);
+    }
+}
+
+// ---- round trip
+
+const char* const everything = R"(
+name = "All \"of\" it"
+[options]
+frame.exposure = 0.1
+refraction.method = "planar"
+a.vector = [1, 2, 3]
+[sun]
+elevation = 35
+azimuth = 120
+irradiance = [100, 90, 80]
+[sky]
+kind = "daylight"
+turbidity = 2.5
+ground_albedo = 0.3
+lighting = 0.9
+[water]
+level = 0.25
+centre = [1, -2]
+extent = [30, 40]
+ior = 1.34
+absorption = [0.4, 0.1, 0.05]
+colour = [0.01, 0.2, 0.1]
+[[water.waves]]
+amplitude = 0.1
+wavelength = 3.3
+direction = 77
+phase = 45
+period = 1.5
+[[materials]]
+name = "check"
+diffuse = [0.3, 0.2, 0.1]
+specular = 0.1
+shininess = 77
+emissive = [1, 2, 3]
+alpha = 0.9
+diffuse_map = "pictures/a b.png"
+bump_map = "pictures/a b.png"
+bump_scale = 2
+two_sided = true
+alpha_cutoff = 0.3
+[[models]]
+name = "tri"
+file = "models/tri.obj"
+material = "check"
+[[primitives]]
+name = "bed"
+kind = "plane"
+size = [10, 1, 12]
+segments = 4
+uv_scale = [5, 6]
+material = "check"
+[[primitives]]
+name = "ball"
+kind = "sphere"
+[[elements]]
+name = "group"
+translation = [1, 2, 3]
+rotation = [10, 20, 30]
+scale = [1, 2, 1]
+[[elements.children]]
+shape = "bed"
+[[elements.children.children]]
+shape = "tri"
+visible = false
+[[elements]]
+shape = "ball"
+[[point_lights]]
+name = "lamp"
+position = [1, 2, 3]
+intensity = [4, 5, 6]
+[[spot_lights]]
+name = "torch"
+position = [1, 2, 3]
+direction = [0, 0, -1]
+intensity = 7
+inner_angle = 15
+outer_angle = 25
+[[cameras]]
+name = "pier"
+eye = [1, 2, 3]
+target = [4, 5, 6]
+up = [0, 0, 1]
+fov = 40
+near = 0.2
+far = 500
+)";
+
+void expectSame(const Scene& a, const Scene& b);
+
+class RoundTripTest : public TomlTest {
+protected:
+    void SetUp() override
+    {
+        std::filesystem::create_directories(folder.path() / "models");
+        std::filesystem::create_directories(folder.path() / "pictures");
+        std::filesystem::create_directories(folder.path() / "elsewhere");
+        folder.file("models/tri.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Image image;
+        image.width = image.height = 2;
+        image.channels = 3;
+        image.bytes.resize(image.size(), 50);
+        writeImage(folder.path() / "pictures" / "a b.png", image);
+    }
+};
+
+TEST_F(RoundTripTest, SavedIsLoaded)
+{
+    const Scene scene = load(everything);
+    EXPECT_TRUE(log.messages().empty()) << log.messages()[0].text;
+    saveScene(scene, folder.path() / "saved.toml");
+    expectSame(scene, loadScene(folder.path() / "saved.toml"));
+}
+
+TEST_F(RoundTripTest, PathsFollowTheFileToAnotherFolder)
+{
+    const Scene scene = load(everything);
+    saveScene(scene, folder.path() / "elsewhere" / "saved.toml");
+    const Scene again = loadScene(folder.path() / "elsewhere" / "saved.toml");
+    EXPECT_TRUE(log.messages().empty()) << log.messages()[0].text;
+    EXPECT_EQ(again.models[0].file, std::filesystem::path("../models/tri.obj"));
+    EXPECT_EQ(again.images.size(), scene.images.size());
+    expectSame(scene, again);
+}
+
+TEST_F(RoundTripTest, SavingAgainChangesNothing)
+{
+    saveScene(load(everything), folder.path() / "first.toml");
+    saveScene(loadScene(folder.path() / "first.toml"), folder.path() / "second.toml");
+    EXPECT_EQ(readFile(folder.path() / "first.toml"), readFile(folder.path() / "second.toml"));
+}
+
+TEST_F(RoundTripTest, ABareObjCanBeSaved)
+{
+    const Scene scene = loadScene(folder.path() / "models" / "tri.obj", {0.5f, nullptr});
+    saveScene(scene, folder.path() / "saved.toml");
+    const Scene again = loadScene(folder.path() / "saved.toml");
+    expectSame(scene, again);
+    EXPECT_TRUE(again.water.present);
+    EXPECT_TRUE(again.sun->automatic);
+}
+
+void expectNear(const vec3& a, const vec3& b)
+{
+    EXPECT_LE(glm::distance(a, b), 1e-6f * (1.0f + glm::length(a)));
+}
+
+void expectSame(const Element& a, const Element& b)
+{
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.shape, b.shape);
+    EXPECT_EQ(a.visible, b.visible);
+    expectNear(a.translation, b.translation);
+    expectNear(a.rotation, b.rotation);
+    expectNear(a.scale, b.scale);
+    ASSERT_EQ(a.children.size(), b.children.size());
+    for (std::size_t i = 0; i < a.children.size(); ++i) expectSame(a.children[i], b.children[i]);
+}
+
+void expectSame(const Material& a, const Material& b)
+{
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.diffuse, b.diffuse);
+    EXPECT_EQ(a.specular, b.specular);
+    EXPECT_EQ(a.emissive, b.emissive);
+    EXPECT_EQ(a.shininess, b.shininess);
+    EXPECT_EQ(a.alpha, b.alpha);
+    EXPECT_EQ(a.twoSided, b.twoSided);
+    EXPECT_EQ(a.alphaTested, b.alphaTested);
+    EXPECT_EQ(a.alphaCutoff, b.alphaCutoff);
+    EXPECT_EQ(a.bumpScale, b.bumpScale);
+    EXPECT_EQ(a.diffuseMap, b.diffuseMap);
+    EXPECT_EQ(a.normalMap, b.normalMap);
+    EXPECT_EQ(a.fromModel, b.fromModel);
+}
+
+void expectSame(const WaterBody& a, const WaterBody& b)
+{
+    EXPECT_EQ(a.present, b.present);
+    EXPECT_EQ(a.level, b.level);
+    EXPECT_EQ(a.centre, b.centre);
+    EXPECT_EQ(a.extent, b.extent);
+    EXPECT_EQ(a.ior, b.ior);
+    EXPECT_EQ(a.absorption, b.absorption);
+    EXPECT_EQ(a.colour, b.colour);
+    ASSERT_EQ(a.waves.size(), b.waves.size());
+    for (std::size_t i = 0; i < a.waves.size(); ++i) {
+        EXPECT_EQ(a.waves[i].amplitude, b.waves[i].amplitude);
+        EXPECT_EQ(a.waves[i].wavelength, b.waves[i].wavelength);
+        EXPECT_EQ(a.waves[i].period, b.waves[i].period);
+        EXPECT_NEAR(a.waves[i].direction, b.waves[i].direction, 1e-6f);
+        EXPECT_NEAR(a.waves[i].phase, b.waves[i].phase, 1e-6f);
+    }
+}
+
+void expectSame(const Camera& a, const Camera& b)
+{
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.eye, b.eye);
+    EXPECT_EQ(a.target, b.target);
+    EXPECT_EQ(a.up, b.up);
+    EXPECT_NEAR(a.verticalFov, b.verticalFov, 1e-6f);
+    EXPECT_EQ(a.nearPlane, b.nearPlane);
+    EXPECT_EQ(a.farPlane, b.farPlane);
+}
+
+template <typename T> void expectSameList(const std::vector<T>& a, const std::vector<T>& b)
+{
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) expectSame(a[i], b[i]);
+}
+
+void expectSameLight(const Scene& a, const Scene& b)
+{
+    ASSERT_EQ(a.sun.has_value(), b.sun.has_value());
+    expectNear(a.sun->direction, b.sun->direction);
+    EXPECT_EQ(a.sun->irradiance, b.sun->irradiance);
+    EXPECT_EQ(a.sun->automatic, b.sun->automatic);
+    EXPECT_EQ(a.sky.kind, b.sky.kind);
+    EXPECT_EQ(a.sky.turbidity, b.sky.turbidity);
+    EXPECT_EQ(a.sky.groundAlbedo, b.sky.groundAlbedo);
+    EXPECT_EQ(a.sky.lighting, b.sky.lighting);
+    ASSERT_EQ(a.pointLights.size(), b.pointLights.size());
+    for (std::size_t i = 0; i < a.pointLights.size(); ++i) {
+        EXPECT_EQ(a.pointLights[i].name, b.pointLights[i].name);
+        EXPECT_EQ(a.pointLights[i].position, b.pointLights[i].position);
+        EXPECT_EQ(a.pointLights[i].intensity, b.pointLights[i].intensity);
+    }
+    ASSERT_EQ(a.spotLights.size(), b.spotLights.size());
+    for (std::size_t i = 0; i < a.spotLights.size(); ++i) {
+        EXPECT_EQ(a.spotLights[i].direction, b.spotLights[i].direction);
+        EXPECT_NEAR(a.spotLights[i].innerAngle, b.spotLights[i].innerAngle, 1e-6f);
+        EXPECT_NEAR(a.spotLights[i].outerAngle, b.spotLights[i].outerAngle, 1e-6f);
+    }
+}
+
+void expectSame(const Scene& a, const Scene& b)
+{
+    EXPECT_EQ(a.name, b.name);
+    expectSameList(a.materials, b.materials);
+    expectSameList(a.elements, b.elements);
+    expectSameList(a.cameras, b.cameras);
+    expectSame(a.water, b.water);
+    expectSameLight(a, b);
+    ASSERT_EQ(a.options.size(), b.options.size());
+    for (std::size_t i = 0; i < a.options.size(); ++i) {
+        EXPECT_EQ(a.options[i].key, b.options[i].key);
+        EXPECT_EQ(a.options[i].value, b.options[i].value);
+    }
+    const auto left = flatten(a), right = flatten(b);
+    ASSERT_EQ(left.size(), right.size());
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const Mesh& m = a.meshes[static_cast<std::size_t>(left[i].mesh)];
+        const Mesh& n = b.meshes[static_cast<std::size_t>(right[i].mesh)];
+        EXPECT_EQ(m.indices, n.indices);
+        ASSERT_EQ(m.vertices.size(), n.vertices.size());
+        for (std::size_t k = 0; k < m.vertices.size(); ++k) EXPECT_EQ(m.vertices[k].position, n.vertices[k].position);
+    }
+}
+
+} // namespace
+} // namespace tarn::test
