@@ -5,6 +5,9 @@ in vec2 uv;
 
 uniform sampler2D hdrColour;
 uniform float exposure;
+#ifdef GLOW
+uniform sampler2D glowColour;
+#endif
 
 out vec4 fragment;
 
@@ -19,7 +22,11 @@ void main()
 {
     vec4 value = texture(hdrColour, uv);
 #if DISPLAY == 0
-    vec3 mapped = TONE_CURVE(value.rgb * exposure);
+    vec3 exposed = value.rgb * exposure;
+#ifdef GLOW
+    exposed += texture(glowColour, uv).rgb; // an effect of the lens, on the display's scale
+#endif
+    vec3 mapped = TONE_CURVE(exposed);
 #elif DISPLAY == 1 // a length in metres, longer than ten of them is bright
     vec3 mapped = heat(value.r / (value.r + 10.0)) * value.a;
 #elif DISPLAY == 2 // a position: one cycle of colour a metre

@@ -78,7 +78,8 @@ vec3 lampLight(LightTerm lamp, vec3 n, vec3 toEye, vec3 albedo)
 
 void main()
 {
-    vec3 albedo = diffuseReflectance * tint;
+    // Samples at the edge of a triangle extrapolate its corners' colours, and may fall below zero.
+    vec3 albedo = diffuseReflectance * max(tint, vec3(0.0));
 #ifdef DIFFUSE_MAP
     vec4 texel = texture(diffuseMap, uv);
     albedo *= texel.rgb;
@@ -128,10 +129,11 @@ void main()
     for (int i = 0; i < int(lightCount); ++i) radiance += lampLight(lights[i], n, toEye, albedo);
 
 #ifdef UNDERWATER
-    if (submerged) {
-        vec3 a = beerLambert(absorption, distance(positionW, eye));
-        radiance = radianceThroughWater(radiance, deepRadiance, a);
-    }
+    // What stands over the level is seen through water as far as the level (a shore behind the foot of a wave).
+    // The reflection's mirrored eye stands over the level itself; all it sees is seen through water.
+    float share = depth > 0.0 ? 1.0 : min(abs(waterLevel - eye.y) / max(abs(positionW.y - eye.y), 1.0e-6), 1.0);
+    vec3 a = beerLambert(absorption, share * distance(positionW, eye));
+    radiance = radianceThroughWater(radiance, deepRadiance, a);
 #endif
     fragment = vec4(radiance, coverage);
 }

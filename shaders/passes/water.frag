@@ -6,11 +6,7 @@
 #include "shared/depth.glsl"
 #include "shared/intersection.glsl"
 #include "shared/lighting.glsl"
-
-in vec3 surfaceW; // U
-#ifdef VERTEX_NORMALS
-in vec2 vertexSlope;
-#endif
+#include "passes/water_surface.glsl"
 
 uniform samplerCube skyMap;
 #ifdef REFRACTION
@@ -34,36 +30,6 @@ uniform float reflectionDistance; // c of eq. 6
 uniform float schlickExponent; // q of eq. 7
 
 out vec4 fragment;
-
-struct Surface {
-    vec3 normal;     // N, up
-    float roughness; // slope variance of the waves that a pixel cannot show
-};
-
-Surface surfaceHere()
-{
-    Surface s;
-    s.roughness = sunRoughness * sunRoughness;
-#ifdef VERTEX_NORMALS
-    s.normal = waveNormal(vertexSlope);
-#else
-    vec2 slope = vec2(0.0);
-    vec2 across = dFdx(surfaceW.xz);
-    vec2 along = dFdy(surfaceW.xz);
-    for (int i = 0; i < int(waveCount); ++i) {
-        WaveTerm w = waves[i];
-        float weight = 1.0;
-#ifdef FILTER_WAVES
-        // The pixel's extent along this wave: short crests must fade before they alias.
-        weight = waveFilter(w, length(vec2(dot(w.k, across), dot(w.k, along))) / max(w.wavenumber, 1.0e-6));
-        s.roughness += 0.5 * waveLostVariance(w, weight);
-#endif
-        slope += weight * waveTerm(w, surfaceW.xz, time).yz;
-    }
-    s.normal = waveNormal(slope);
-#endif
-    return s;
-}
 
 struct Transmitted {
     vec3 radiance; // along the refracted ray, at the surface, on its far side

@@ -4,6 +4,7 @@
 #include "app/version.h"
 #include "base/error.h"
 #include "gl/context.h"
+#include "gl/workarounds.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,14 @@ namespace tarn
 namespace
 {
 
+nlohmann::json workaroundsJson()
+{
+    nlohmann::json active = nlohmann::json::object();
+    for (const gl::Workaround& workaround : gl::workarounds())
+        if (workaround.active) active[workaround.name] = workaround.reason;
+    return active;
+}
+
 /// A machine without OpenGL is told, not failed at: that is what one asks `tarn info` for.
 nlohmann::json machineJson()
 {
@@ -21,7 +30,8 @@ nlohmann::json machineJson()
         const gl::Capabilities& limits = gl::capabilities();
         return {{"renderer", context->renderer()},   {"opengl", context->version()},
                 {"software", context->isSoftware()}, {"max_texture_size", limits.maxTextureSize},
-                {"max_samples", limits.maxSamples},  {"max_anisotropy", limits.maxAnisotropy}};
+                {"max_samples", limits.maxSamples},  {"max_anisotropy", limits.maxAnisotropy},
+                {"workarounds", workaroundsJson()}};
     } catch (const Error& error) {
         return {{"renderer", nullptr}, {"problem", error.what()}};
     }

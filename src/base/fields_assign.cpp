@@ -7,9 +7,11 @@
 #include <cmath>
 #include <numeric>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 std::string_view trimmed(std::string_view text)
 {
@@ -37,7 +39,8 @@ std::vector<std::string_view> split(std::string_view text, char separator)
     }
 }
 
-class AssignVisitor : public PathVisitor {
+class AssignVisitor : public PathVisitor
+{
 public:
     explicit AssignVisitor(const Assignment& assignment) : assignment_(assignment) {}
 

@@ -12,11 +12,13 @@
 #include <memory>
 #include <system_error>
 
-namespace tarn {
+namespace tarn
+{
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace
+{
 
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -60,7 +62,8 @@ std::string readFile(const fs::path& file)
     const auto size = fs::file_size(file, error);
     if (!error) text.reserve(static_cast<std::size_t>(size));
     char block[1 << 16];
-    while (const std::size_t count = std::fread(block, 1, sizeof block, handle.get())) text.append(block, count);
+    while (const std::size_t count = std::fread(block, 1, sizeof block, handle.get()))
+        text.append(block, count);
     if (std::ferror(handle.get())) throw Error("{}: cannot be read ({})", file.string(), reason());
     return text;
 }
@@ -111,7 +114,8 @@ fs::path projectRoot()
         if (folder == folder.root_path()) break;
     }
     if (isRoot(TARN_SOURCE_ROOT)) return TARN_SOURCE_ROOT;
-    throw Error("the folders shaders/ and assets/ were not found; set TARN_ROOT to the folder that holds them");
+    throw Error(
+        "the folders shaders/ and assets/ were not found; set TARN_ROOT to the folder that holds them");
 }
 
 } // namespace tarn

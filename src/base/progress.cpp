@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdio>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 using Clock = std::chrono::steady_clock;
 

@@ -80,6 +80,12 @@ int integer(GLenum what)
     return value;
 }
 
+std::string string(GLenum what)
+{
+    const auto* text = reinterpret_cast<const char*>(glGetString(what));
+    return text ? text : "unknown";
+}
+
 Capabilities askCapabilities()
 {
     Capabilities answer;
@@ -89,13 +95,8 @@ Capabilities askCapabilities()
     }
     answer.maxSamples = integer(GL_MAX_SAMPLES);
     answer.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
+    answer.llvmpipe = string(GL_RENDERER).find("llvmpipe") != std::string::npos;
     return answer;
-}
-
-std::string string(GLenum what)
-{
-    const auto* text = reinterpret_cast<const char*>(glGetString(what));
-    return text ? text : "unknown";
 }
 
 const char* errorName(GLenum error)

@@ -8,7 +8,8 @@ namespace tarn {
 
 const char* passName(PassId pass)
 {
-    constexpr const char* names[passCount] = {"refraction", "reflection", "scene", "water", "present"};
+    constexpr const char* names[passCount] = {"refraction", "reflection", "scene",
+                                              "water",      "glow",       "present"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -66,12 +67,24 @@ std::string whyNoWater(const WaterBody& water, const Camera& camera, const Optio
     return "";
 }
 
+/// Why the sun's highlight on the water is not spread, or nothing when it is.
+std::string whyNoGlow(const Scene& scene, const FramePlan& plan, const Options& options)
+{
+    if (!options.glow.enabled) return "glow.enabled is off";
+    if (options.glow.strength == 0.0f) return "glow.strength is 0";
+    if (!scene.sun) return "the scene has no sun";
+    if (scene.sun->direction.y <= 0.0f) return "the sun is below the horizon";
+    if (plan.underwater) return "the eye is under water";
+    return "";
+}
+
+ivec2 glowSize(ivec2 size, const Options& options) { return glm::max(size / options.glow.divisor, ivec2(1)); }
+
 } // namespace
 
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
                     ivec2 size, double time)
 {
-    (void)scene;
     FramePlan plan;
     plan[PassId::scene] = wanted("what the eye sees, without the water", size, "");
     plan[PassId::present] = wanted("tone mapping to the display", size, "scene, water");
@@ -82,7 +95,7 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
 
     const std::string noWater = whyNoWater(water, camera, options, size);
     if (!noWater.empty()) {
-        for (const PassId pass : {PassId::refraction, PassId::reflection, PassId::water})
+        for (const PassId pass : {PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
             plan[pass] = unwanted(noWater);
         return plan;
     }
@@ -99,6 +112,10 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
             ? wanted(plan.underwater ? "the bed mirrored in the surface from below" : "what the surface mirrors",
                      ivec2(options.reflection.targetSize), "")
             : unwanted("reflection.enabled is off: the water mirrors the sky alone");
+    const std::string noGlow = whyNoGlow(scene, plan, options);
+    plan[PassId::glow] = noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options), "water")
+                                        : unwanted(noGlow);
+    if (noGlow.empty()) plan[PassId::present].dependsOn = "scene, water, glow";
     return plan;
 }
 

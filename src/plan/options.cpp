@@ -97,6 +97,11 @@ void visit(FieldVisitor& v, UnderwaterOptions& o)
 void visit(FieldVisitor& v, GlowOptions& o)
 {
     v.field({"enabled", "Glow round the sun's highlights on the water"}, o.enabled);
+    v.field({"exponent", "Of the highlight, (R.E)^exponent (Mihalik 2008, section 9.3)", "", 1.0, 10000.0},
+            o.exponent);
+    v.field({"colour", "Of the sun in the glow; 1 is white on the screen", "", 0.0, 10.0}, o.colour);
+    v.field({"strength", "Factor on the glow", "", 0.0, 10.0}, o.strength);
+    v.field({"divisor", "The glow's target has the picture's size divided by this", "", 1, 64}, o.divisor);
 }
 
 template <typename Group> void visitGroup(FieldVisitor& v, const char* name, const char* doc, Group& group)

@@ -59,6 +59,10 @@ struct UnderwaterOptions {
 };
 struct GlowOptions {
     bool enabled = true;
+    float exponent = 200.0f;
+    vec3 colour{1.0f, 1.0f, 0.8f};
+    float strength = 1.0f;
+    int divisor = 8;
 };
 
 struct Options {

@@ -3,9 +3,11 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/log.h"
+#include "gl/workarounds.h"
 #include "render/bindings.h"
 #include "render/frame_light.h"
 #include "render/passes/debug_copy.h"
+#include "render/passes/glow.h"
 #include "render/passes/present.h"
 #include "render/passes/reflection.h"
 #include "render/passes/refraction.h"
@@ -26,6 +28,12 @@ template <typename Block> gl::UniformBuffer<Block> uniformBuffer(BlockIndex inde
 
 /// Debug views that show values of single pixels: no samples to mix, and floats wide enough for positions.
 bool wantsRawValues(DebugView view) { return view != DebugView::final; }
+
+/// The anisotropy of the scene's textures: the option's, where the driver can bear it.
+float anisotropyFor(const FrameOptions& options)
+{
+    return options.msaa > 1 && gl::avoidsAnisotropyWithSamples() ? 1.0f : options.anisotropy;
+}
 
 /// Debug views that the water pass writes; the scene around them stays empty.
 bool isWaterView(DebugView view)
@@ -49,8 +57,8 @@ std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
 
 struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
-        : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, o.frame.anisotropy, progress),
-          painter(gpuScene, shaders), waterPass(shaders), presentPass(shaders), debugCopy(shaders)
+        : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, anisotropyFor(o.frame), progress),
+          painter(gpuScene, shaders), waterPass(shaders), glowPass(shaders), presentPass(shaders), debugCopy(shaders)
     {
     }
 
@@ -72,13 +80,16 @@ struct Renderer::State {
     RefractionPass refraction;
     ReflectionPass reflection;
     ScenePass scenePass;
+    WaterGrid waterGrid;
     WaterPass waterPass;
+    GlowPass glowPass;
     PresentPass presentPass;
     DebugCopyPass debugCopy;
 
     FrameStats stats;
     bool checking = false;
     std::vector<BadPixels> bad;
+    const gl::Target* glow = nullptr;  ///< of this frame, or null
     const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
 
     // Of this frame.
@@ -90,6 +101,7 @@ struct Renderer::State {
     void drawReflection();
     void drawScene(const FrameInput& input);
     void drawWater(const FrameInput& input);
+    void drawGlow(const FrameInput& input);
     const gl::Target& selectShown(const FrameInput& input);
     void present(const FrameInput& input);
     FrameStats::Pass& beginPass(PassId pass, const View& view, ivec2 size);
@@ -114,8 +126,8 @@ Renderer::~Renderer() = default;
 
 void Renderer::setOptions(const Options& options, const WaterBody& water)
 {
-    if (options.frame.anisotropy != state_->options.frame.anisotropy)
-        state_->gpuScene.setAnisotropy(options.frame.anisotropy);
+    if (anisotropyFor(options.frame) != anisotropyFor(state_->options.frame))
+        state_->gpuScene.setAnisotropy(anisotropyFor(options.frame));
     state_->options = options;
     state_->water = water;
 }
@@ -135,6 +147,7 @@ const FrameStats& Renderer::render(const FrameInput& input)
     if (s.stats.plan[PassId::reflection].wanted) s.drawReflection();
     s.drawScene(input);
     if (s.stats.plan[PassId::water].wanted) s.drawWater(input);
+    if (s.stats.plan[PassId::glow].wanted) s.drawGlow(input);
     s.present(input);
     s.profiler.endFrame();
     return s.stats;
@@ -144,6 +157,7 @@ void Renderer::State::beginFrame(const FrameInput& input)
 {
     stats = FrameStats{planFrame(scene, water, input.camera, options, input.size, input.time), {}};
     bad.clear();
+    glow = nullptr;
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     const bool underwater = stats.plan.underwater;
     main = mainView(input.camera, aspect);
@@ -222,8 +236,19 @@ void Renderer::State::drawWater(const FrameInput& input)
                                    .underwater = stats.plan.underwater,
                                    .view = input.view};
     FrameStats::Pass& pass = beginPass(PassId::water, main, input.size);
-    waterPass.draw(frame, options, inputs, pass);
+    waterPass.draw(frame, waterGrid, options, inputs, pass);
     if (!wantsRawValues(input.view)) check(PassId::water, frame);
+}
+
+void Renderer::State::drawGlow(const FrameInput& input)
+{
+    if (wantsRawValues(input.view)) return;
+    gl::PassScope scope(profiler, passName(PassId::glow));
+    frame.resolve(); // for its depth
+    const ivec2 size = stats.plan[PassId::glow].size;
+    FrameStats::Pass& pass = beginPass(PassId::glow, main, size);
+    glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(), .size = size}, pass);
+    check(PassId::glow, *glow);
 }
 
 /// What is presented: the frame, or in a debug view the target that it shows.
@@ -251,7 +276,7 @@ void Renderer::State::present(const FrameInput& input)
     gl::PassScope scope(profiler, passName(PassId::present));
     frame.resolve();
     shown = &selectShown(input);
-    presentPass.draw(shown->colour(), options.frame, input.view);
+    presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view);
     check(PassId::present, presentPass.target());
 }
 

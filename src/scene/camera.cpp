@@ -2,16 +2,18 @@
 
 #include <cmath>
 
-namespace tarn {
+namespace tarn
+{
 
 mat4 viewFromWorld(const Camera& camera)
 {
     vec3 up = camera.up;
     const vec3 forward = camera.target - camera.eye;
-    // Looking straight along `up` leaves the roll open; any sideways axis will do then. Scene files cannot ask for
-    // it, but a camera that is moved by hand can pass through it.
+    // Looking straight along `up` leaves the roll open; any sideways axis will do then. Scene files cannot
+    // ask for it, but a camera that is moved by hand can pass through it.
     if (glm::length(glm::cross(forward, up)) <= 1e-6f * glm::length(forward) * glm::length(up))
-        up = std::abs(forward.z) < 0.9f * glm::length(forward) ? vec3(0.0f, 0.0f, -1.0f) : vec3(1.0f, 0.0f, 0.0f);
+        up = std::abs(forward.z) < 0.9f * glm::length(forward) ? vec3(0.0f, 0.0f, -1.0f)
+                                                               : vec3(1.0f, 0.0f, 0.0f);
     return glm::lookAtRH(camera.eye, camera.target, up);
 }
 

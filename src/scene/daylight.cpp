@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn::daylight {
+namespace tarn::daylight
+{
 
-namespace {
+namespace
+{
 
 constexpr float angularRadius = 0.2665f; // of the sun's disc, degrees
 
@@ -69,8 +71,8 @@ vec3 sunIrradiance(float turbidity, float sinElevation)
 
     // Illuminance above the atmosphere 128 klx, with the chromaticity of a black body of 5778 K.
     const vec3 extraterrestrial = 128.0f * vec3(1.113f, 0.975f, 0.912f);
-    // One wavelength (µm) stands for each primary; ozone's coefficients there in 1/cm. Water vapour and the mixed
-    // gases absorb beyond 0.69 µm, which the eye hardly sees.
+    // One wavelength (µm) stands for each primary; ozone's coefficients there in 1/cm. Water vapour and the
+    // mixed gases absorb beyond 0.69 µm, which the eye hardly sees.
     const vec3 wavelength(0.610f, 0.550f, 0.465f);
     const vec3 ozone(0.120f, 0.085f, 0.008f);
     constexpr float ozoneColumn = 0.35f; // cm
@@ -91,8 +93,8 @@ float discAboveHorizon(float sinElevation)
 
 float twilight(float sinElevation)
 {
-    // Preetham's model ends at the horizon. From there illuminance falls from some 700 lx to 3 lx at the end of
-    // civil twilight (-6°), about e^-0.9 per degree, down to a moonless sky that is never quite black.
+    // Preetham's model ends at the horizon. From there illuminance falls from some 700 lx to 3 lx at the end
+    // of civil twilight (-6°), about e^-0.9 per degree, down to a moonless sky that is never quite black.
     const float elevation = elevationDegrees(sinElevation);
     return elevation >= 0.0f ? 1.0f : std::max(std::exp(0.9f * elevation), 1e-6f);
 }

@@ -1,11 +1,13 @@
-// The formulas of Preetham, Shirley & Smits 1999, "A Practical Analytic Model for Daylight". Private to src/scene.
+// The formulas of Preetham, Shirley & Smits 1999, "A Practical Analytic Model for Daylight". Private to
+// src/scene.
 #pragma once
 
 #include "base/math.h"
 
 #include <array>
 
-namespace tarn::daylight {
+namespace tarn::daylight
+{
 
 /// The five coefficients of Perez' distribution for luminance Y and chromaticities x, y (appendix A.2).
 std::array<std::array<float, 5>, 3> perezCoefficients(float turbidity);

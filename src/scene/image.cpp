@@ -9,16 +9,19 @@
 #include <cmath>
 #include <system_error>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 constexpr int largestSide = 16384;
 
 /// OpenImageIO's reasons may span lines; ours are one.
 std::string oneLine(std::string text)
 {
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
+        text.pop_back();
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text.empty() ? "unknown reason" : text;
 }
@@ -28,7 +31,8 @@ void checkIsFile(const std::filesystem::path& file)
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) throw Error("{}: no such picture; check the path", file.string());
-    if (std::filesystem::is_directory(status)) throw Error("{}: is a directory, not a picture", file.string());
+    if (std::filesystem::is_directory(status))
+        throw Error("{}: is a directory, not a picture", file.string());
 }
 
 /// Grey with alpha becomes RGBA, so that an alpha channel is always the fourth.
@@ -75,7 +79,8 @@ std::vector<std::uint8_t> toBytes(const Image& image)
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const bool isAlpha = (channels == 2 || channels == 4) && i % channels == channels - 1;
         const float value = image.floats[i];
-        const float encoded = isAlpha ? std::clamp(value, 0.0f, 1.0f) : srgbEncode(std::isnan(value) ? 0.0f : value);
+        const float encoded =
+            isAlpha ? std::clamp(value, 0.0f, 1.0f) : srgbEncode(std::isnan(value) ? 0.0f : value);
         bytes[i] = static_cast<std::uint8_t>(std::lround(encoded * 255.0f));
     }
     return bytes;
@@ -104,12 +109,14 @@ OIIO::ImageSpec specOf(const Image& image, bool asFloat, const std::map<std::str
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("CompressionQuality", 95);
     if (asFloat) spec.attribute("compression", "zip");
-    for (const auto& [key, value] : metadata) spec.attribute(key, value);
+    for (const auto& [key, value] : metadata)
+        spec.attribute(key, value);
     return spec;
 }
 
-void writePixels(const std::filesystem::path& temporary, const std::filesystem::path& file, const Image& image,
-                 const std::map<std::string, std::string>& metadata, const std::vector<std::string>& channelNames)
+void writePixels(const std::filesystem::path& temporary, const std::filesystem::path& file,
+                 const Image& image, const std::map<std::string, std::string>& metadata,
+                 const std::vector<std::string>& channelNames)
 {
     const auto output = OIIO::ImageOutput::create(temporary.string());
     if (!output)
@@ -163,7 +170,8 @@ Image readImage(const std::filesystem::path& file)
 }
 
 void writeImage(const std::filesystem::path& file, const Image& image,
-                const std::map<std::string, std::string>& metadata, const std::vector<std::string>& channelNames)
+                const std::map<std::string, std::string>& metadata,
+                const std::vector<std::string>& channelNames)
 {
     const std::size_t count = image.isFloat() ? image.floats.size() : image.bytes.size();
     if (count == 0 || count != image.size())

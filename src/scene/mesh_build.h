@@ -6,10 +6,11 @@
 
 #include <string>
 
-namespace tarn {
+namespace tarn
+{
 
-/// Vertices deduplicated, tangents computed, triangles sorted by material and split into compact chunks (MeshPart) of
-/// at most 4096, each ordered for the vertex cache and all for fetching (meshoptimizer).
+/// Vertices deduplicated, tangents computed, triangles sorted by material and split into compact chunks
+/// (MeshPart) of at most 4096, each ordered for the vertex cache and all for fetching (meshoptimizer).
 /// @param source triangles only, every corner with a normal
 Mesh buildMesh(const MeshSource& source, std::string name);
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 using Face = MeshSource::Face;
 
@@ -34,7 +36,8 @@ vec3 unitOr(const vec3& v, const vec3& fallback)
 constexpr vec3 upward{0.0f, 1.0f, 0.0f};
 
 /// The sums of normals at each vertex, one per smoothing group: chains from vertex to group.
-class SmoothNormals {
+class SmoothNormals
+{
 public:
     explicit SmoothNormals(MeshSource& source) : source_(source), first_(source.positions.size(), -1) {}
 
@@ -121,10 +124,12 @@ void computeNormals(MeshSource& source)
         source.normals[i] = unitOr(source.normals[i], upward);
 }
 
-namespace {
+namespace
+{
 
 /// Ear clipping in the plane that the polygon covers best.
-class EarClipper {
+class EarClipper
+{
 public:
     EarClipper(const MeshSource& source, std::vector<Corner>& out) : source_(source), out_(out) {}
 
@@ -199,7 +204,8 @@ private:
 
     void emit(std::size_t a, std::size_t b, std::size_t c)
     {
-        for (const std::size_t i : {a, b, c}) out_.push_back(source_.corners[ring_[i].corner]);
+        for (const std::size_t i : {a, b, c})
+            out_.push_back(source_.corners[ring_[i].corner]);
     }
 
     const MeshSource& source_;

@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-namespace tarn {
+namespace tarn
+{
 
 struct Corner {
     std::int32_t position = -1, uv = -1, normal = -1; ///< -1: none
@@ -29,13 +30,14 @@ struct MeshSource {
     std::vector<Face> faces;
 };
 
-/// Cuts every face into triangles (ear clipping, so that concave ones keep their shape) and drops those without
-/// three different corners. A triangle keeps its polygon's normal when that has no smoothing: computeNormals must
-/// come first.
+/// Cuts every face into triangles (ear clipping, so that concave ones keep their shape) and drops those
+/// without three different corners. A triangle keeps its polygon's normal when that has no smoothing:
+/// computeNormals must come first.
 void triangulate(MeshSource& source);
 
-/// Gives a normal to each corner that has none: the face's own where smoothing is off, else the mean over the faces
-/// around the vertex that share its smoothing group, weighted by their angles there (Thürmer & Wüthrich 1998).
+/// Gives a normal to each corner that has none: the face's own where smoothing is off, else the mean over the
+/// faces around the vertex that share its smoothing group, weighted by their angles there (Thürmer & Wüthrich
+/// 1998).
 void computeNormals(MeshSource& source);
 
 /// Newell's normal of a polygon, its length twice the area: right for concave and slightly bent ones too.

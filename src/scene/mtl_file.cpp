@@ -12,11 +12,14 @@
 #include <optional>
 #include <sstream>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
-/// One map statement: tinyobjloader takes the file name of "-s 2 2 wall.png" for a number, so these are read here.
+/// One map statement: tinyobjloader takes the file name of "-s 2 2 wall.png" for a number, so these are read
+/// here.
 struct MapStatement {
     std::string file;
     std::size_t line = 0;
@@ -40,10 +43,19 @@ MapStatement parseMap(std::string_view rest, std::size_t line)
         std::string_view name;
         int least, most; ///< arguments; those after the least only while they are numbers
     };
-    static constexpr std::array<Option, 13> options{{{"-s", 1, 3}, {"-o", 1, 3}, {"-t", 1, 3}, {"-bm", 1, 1},
-                                                     {"-mm", 2, 2}, {"-blendu", 1, 1}, {"-blendv", 1, 1},
-                                                     {"-clamp", 1, 1}, {"-cc", 1, 1}, {"-imfchan", 1, 1},
-                                                     {"-texres", 1, 1}, {"-boost", 1, 1}, {"-type", 1, 1}}};
+    static constexpr std::array<Option, 13> options{{{"-s", 1, 3},
+                                                     {"-o", 1, 3},
+                                                     {"-t", 1, 3},
+                                                     {"-bm", 1, 1},
+                                                     {"-mm", 2, 2},
+                                                     {"-blendu", 1, 1},
+                                                     {"-blendv", 1, 1},
+                                                     {"-clamp", 1, 1},
+                                                     {"-cc", 1, 1},
+                                                     {"-imfchan", 1, 1},
+                                                     {"-texres", 1, 1},
+                                                     {"-boost", 1, 1},
+                                                     {"-type", 1, 1}}};
     MapStatement map;
     map.line = line;
     for (;;) {
@@ -67,7 +79,8 @@ MapStatement parseMap(std::string_view rest, std::size_t line)
 }
 
 /// Reads what tinyobjloader would not, and comments out what it must not see.
-class MtlScanner {
+class MtlScanner
+{
 public:
     MtlScanner(std::string& text, FileWarnings& warnings) : text_(text), warnings_(warnings) {}
 
@@ -112,7 +125,8 @@ private:
 
     static bool isMap(std::string_view word)
     {
-        return word.starts_with("map_") || word == "bump" || word == "norm" || word == "disp" || word == "refl";
+        return word.starts_with("map_") || word == "bump" || word == "norm" || word == "disp" ||
+               word == "refl";
     }
 
     bool checkNumbers(std::string_view word, std::string_view rest)
@@ -145,7 +159,8 @@ private:
 
     void drop(std::size_t begin)
     {
-        while (isBlank(text_[begin])) ++begin;
+        while (isBlank(text_[begin]))
+            ++begin;
         text_[begin] = '#';
     }
 
@@ -173,19 +188,47 @@ Material convert(const tinyobj::material_t& source)
     return material;
 }
 
+/// Asks for the pictures of a material and fills in what it leaves open beside them.
+void applyMaps(Material& material, const MaterialMaps& maps, const std::filesystem::path& file,
+               TextureQueue& textures)
+{
+    const auto request = [&](const MapStatement& map, TextureUse use, float bumpScale = 0.0f) {
+        return textures.request(file.parent_path() / map.file, use,
+                                fmt::format("{}:{}", file.string(), map.line), bumpScale);
+    };
+    if (!maps.hasDiffuse) material.diffuse = maps.diffuse ? vec3(1.0f) : Material().diffuse;
+    if (maps.emissive && material.emissive == vec3(0.0f)) material.emissive = vec3(1.0f);
+    if (maps.diffuse) material.diffuseMap = request(*maps.diffuse, TextureUse::colour);
+    if (maps.emissive) material.emissiveMap = request(*maps.emissive, TextureUse::colour);
+    if (maps.alpha) material.alphaMap = request(*maps.alpha, TextureUse::alpha);
+    if (maps.normal) {
+        material.normalMap = request(*maps.normal, TextureUse::normal);
+    } else if (maps.bump && maps.bump->multiplier != 0.0f) {
+        material.bumpScale = maps.bump->multiplier;
+        material.normalMap = request(*maps.bump, TextureUse::bump, material.bumpScale);
+    }
+}
+
 } // namespace
 
-void readMtl(const std::filesystem::path& file, Scene& scene, TextureQueue& textures,
-             std::map<std::string, int>& indexOf)
+const MaterialNames& MtlLibrary::materialsOf(const std::filesystem::path& file)
+{
+    const auto path = file.lexically_normal();
+    const auto found = known_.find(path);
+    return found != known_.end() ? found->second : known_.emplace(path, read(path)).first->second;
+}
+
+MaterialNames MtlLibrary::read(const std::filesystem::path& file)
 {
     std::string text = readFile(file);
     normaliseLines(text);
     std::replace(text.begin(), text.end(), '\0', ' ');
     FileWarnings warnings(file.string());
     const std::vector<MaterialMaps> allMaps = MtlScanner(text, warnings).run();
+    MaterialNames names;
     if (allMaps.empty()) {
         warnings.at(1, "no material in this file; is it a Wavefront MTL file?");
-        return;
+        return names;
     }
 
     std::istringstream stream(text);
@@ -193,28 +236,13 @@ void readMtl(const std::filesystem::path& file, Scene& scene, TextureQueue& text
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;
     tinyobj::LoadMtl(&ignored, &materials, &stream, &warning, &error);
-
     for (std::size_t i = 0; i < std::min(materials.size(), allMaps.size()); ++i) {
-        const MaterialMaps& maps = allMaps[i];
         Material material = convert(materials[i]);
-        if (!maps.hasDiffuse) material.diffuse = maps.diffuse ? vec3(1.0f) : Material().diffuse;
-        if (maps.emissive && material.emissive == vec3(0.0f)) material.emissive = vec3(1.0f);
-        const auto request = [&](const MapStatement& map, TextureUse use, float bumpScale) {
-            return textures.request(file.parent_path() / map.file, use, fmt::format("{}:{}", file.string(), map.line),
-                                    bumpScale);
-        };
-        if (maps.diffuse) material.diffuseMap = request(*maps.diffuse, TextureUse::colour, 0.0f);
-        if (maps.emissive) material.emissiveMap = request(*maps.emissive, TextureUse::colour, 0.0f);
-        if (maps.alpha) material.alphaMap = request(*maps.alpha, TextureUse::alpha, 0.0f);
-        if (maps.normal) {
-            material.normalMap = request(*maps.normal, TextureUse::normal, 0.0f);
-        } else if (maps.bump && maps.bump->multiplier != 0.0f) {
-            material.bumpScale = maps.bump->multiplier;
-            material.normalMap = request(*maps.bump, TextureUse::bump, material.bumpScale);
-        }
-        if (indexOf.emplace(material.name, static_cast<int>(scene.materials.size())).second)
-            scene.materials.push_back(std::move(material));
+        if (!names.emplace(material.name, static_cast<int>(scene_.materials.size())).second) continue;
+        applyMaps(material, allMaps[i], file, textures_);
+        scene_.materials.push_back(std::move(material));
     }
+    return names;
 }
 
 } // namespace tarn

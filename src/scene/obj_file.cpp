@@ -4,7 +4,6 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "scene/mesh_build.h"
-#include "scene/mtl_file.h"
 #include "scene/obj_scan.h"
 #include "scene/text_scan.h"
 
@@ -13,17 +12,19 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
-#include <map>
 #include <streambuf>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 namespace fs = std::filesystem;
 
 /// Reads from memory that stays where it is.
-class MemoryStream : private std::streambuf, public std::istream {
+class MemoryStream : private std::streambuf, public std::istream
+{
 public:
     explicit MemoryStream(std::string& text) : std::istream(static_cast<std::streambuf*>(this))
     {
@@ -31,31 +32,36 @@ public:
     }
 };
 
-void readLibrary(const fs::path& objFile, const ObjScan::Library& library, Scene& scene, TextureQueue& textures,
-                 std::map<std::string, int>& indexOf)
+void readLibrary(const fs::path& objFile, const ObjScan::Library& library, MtlLibrary& libraries,
+                 MaterialNames& indexOf)
 {
-    // The format allows several names in a line, and exporters write names with blanks: the whole is tried first.
-    std::vector<std::string> names{library.name};
+    // The format allows several names in a line, and exporters write names with blanks: the whole is tried
+    // first.
+    std::vector<std::string> fileNames{library.name};
     std::error_code error;
     if (!fs::exists(objFile.parent_path() / library.name, error)) {
         std::vector<std::string> words;
         std::string_view rest = library.name;
-        for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest)) words.emplace_back(word);
-        if (words.size() > 1 && fs::exists(objFile.parent_path() / words.front(), error)) names = words;
+        for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest))
+            words.emplace_back(word);
+        if (words.size() > 1 && fs::exists(objFile.parent_path() / words.front(), error)) fileNames = words;
     }
-    for (const std::string& name : names) {
+    for (const std::string& name : fileNames) {
         try {
-            readMtl(objFile.parent_path() / name, scene, textures, indexOf);
+            const MaterialNames& names = libraries.materialsOf(objFile.parent_path() / name);
+            indexOf.insert(names.begin(), names.end()); // keeps the first of a name
         } catch (const Error& problem) {
-            log::warning("{}:{}: {}; its materials are drawn grey", objFile.string(), library.line, problem.what());
+            log::warning("{}:{}: {}; its materials are drawn grey", objFile.string(), library.line,
+                         problem.what());
         }
     }
 }
 
 /// Collects what tinyobjloader reads.
-class Collector {
+class Collector
+{
 public:
-    Collector(const ObjScan& scan, const std::map<std::string, int>& materials, int fallback)
+    Collector(const ObjScan& scan, const MaterialNames& materials, int fallback)
         : scan_(scan), materials_(materials), fallback_(fallback), material_(fallback)
     {
         source.positions.reserve(scan.vertices);
@@ -82,7 +88,9 @@ public:
         c.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
             static_cast<Collector*>(self)->addFace(indices, count);
         };
-        c.usemtl_cb = [](void* self, const char* name, int) { static_cast<Collector*>(self)->useMaterial(name); };
+        c.usemtl_cb = [](void* self, const char* name, int) {
+            static_cast<Collector*>(self)->useMaterial(name);
+        };
         return c;
     }
 
@@ -111,7 +119,7 @@ private:
     }
 
     const ObjScan& scan_;
-    const std::map<std::string, int>& materials_;
+    const MaterialNames& materials_;
     int fallback_, material_;
     std::uint32_t smoothing_ = 0;
     std::size_t run_ = 0;
@@ -145,7 +153,7 @@ void addGreyIfUsed(Scene& scene, const MeshSource& source)
     scene.materials.push_back(material);
 }
 
-void warnOfUnknown(const ObjScan& scan, const std::map<std::string, int>& indexOf, const fs::path& file)
+void warnOfUnknown(const ObjScan& scan, const MaterialNames& indexOf, const fs::path& file)
 {
     for (const auto& [name, line] : scan.materialLines) {
         if (indexOf.contains(name)) continue;
@@ -155,13 +163,14 @@ void warnOfUnknown(const ObjScan& scan, const std::map<std::string, int>& indexO
 
 } // namespace
 
-Mesh readObj(const fs::path& file, Scene& scene, TextureQueue& textures, int material)
+Mesh readObj(const fs::path& file, Scene& scene, MtlLibrary& libraries, int material)
 {
     ObjScan scan = scanObj(readFile(file), file);
-    std::map<std::string, int> indexOf;
+    MaterialNames indexOf;
     int fallback = material;
     if (material < 0) {
-        for (const auto& library : scan.libraries) readLibrary(file, library, scene, textures, indexOf);
+        for (const auto& library : scan.libraries)
+            readLibrary(file, library, libraries, indexOf);
         warnOfUnknown(scan, indexOf, file);
         fallback = static_cast<int>(scene.materials.size());
     }

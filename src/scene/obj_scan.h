@@ -1,8 +1,8 @@
 // A first look at the text of a Wavefront OBJ file. Private to src/scene.
 //
-// tinyobjloader takes much in silence (a zero index, an index out of range, "nan", a face with two corners) and
-// knows no line numbers. So every line is checked first; a line that cannot be used is reported as file:line and
-// turned into a comment, and tinyobjloader then reads text in which every record is sound.
+// tinyobjloader takes much in silence (a zero index, an index out of range, "nan", a face with two corners)
+// and knows no line numbers. So every line is checked first; a line that cannot be used is reported as
+// file:line and turned into a comment, and tinyobjloader then reads text in which every record is sound.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-namespace tarn {
+namespace tarn
+{
 
 struct ObjScan {
     std::string text; ///< the file, made safe

@@ -4,9 +4,11 @@
 
 #include <cmath>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 /// Adds a grid of (columns + 1) × (rows + 1) points, surface(u, v) over 0..1, facing where u × v points.
 template <typename Surface>
@@ -26,7 +28,9 @@ void addGrid(MeshSource& source, int columns, int rows, int material, const Surf
     };
     const auto add = [&](const Corner& a, const Corner& b, const Corner& c) {
         // At a sphere's poles one side of the quad is a point.
-        const auto at = [&](const Corner& k) { return source.positions[static_cast<std::size_t>(k.position)]; };
+        const auto at = [&](const Corner& k) {
+            return source.positions[static_cast<std::size_t>(k.position)];
+        };
         if (at(a) == at(b) || at(b) == at(c) || at(c) == at(a)) return;
         source.faces.push_back({static_cast<std::uint32_t>(source.corners.size()), 3, material, 0});
         source.corners.insert(source.corners.end(), {a, b, c});
@@ -55,7 +59,8 @@ void addRectangle(MeshSource& source, const Primitive& primitive, int segments, 
 
 void addBox(MeshSource& source, const Primitive& primitive)
 {
-    const vec3 x(primitive.size.x, 0.0f, 0.0f), y(0.0f, primitive.size.y, 0.0f), z(0.0f, 0.0f, primitive.size.z);
+    const vec3 x(primitive.size.x, 0.0f, 0.0f), y(0.0f, primitive.size.y, 0.0f),
+        z(0.0f, 0.0f, primitive.size.z);
     const int segments = primitive.segments;
     addRectangle(source, primitive, segments, 0.5f * x, -z, y);
     addRectangle(source, primitive, segments, -0.5f * x, z, y);
@@ -93,8 +98,12 @@ Mesh buildPrimitive(const Primitive& primitive)
         addRectangle(source, primitive, primitive.segments, vec3(0.0f), vec3(primitive.size.x, 0.0f, 0.0f),
                      vec3(0.0f, 0.0f, -primitive.size.z));
         break;
-    case Primitive::Kind::box: addBox(source, primitive); break;
-    case Primitive::Kind::sphere: addSphere(source, primitive); break;
+    case Primitive::Kind::box:
+        addBox(source, primitive);
+        break;
+    case Primitive::Kind::sphere:
+        addSphere(source, primitive);
+        break;
     }
     return buildMesh(source, primitive.name);
 }

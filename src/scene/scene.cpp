@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-namespace tarn {
+namespace tarn
+{
 
 void visit(FieldVisitor& v, WaterBody& water)
 {
@@ -24,7 +25,8 @@ const Camera* Scene::findCamera(std::string_view cameraName) const
     return found == cameras.end() ? nullptr : &*found;
 }
 
-namespace {
+namespace
+{
 
 mat4 parentFromElement(const Element& element)
 {
@@ -52,9 +54,11 @@ void flattenInto(std::vector<Instance>& instances, const Scene& scene, const Ele
     const mat4 worldFromElement = worldFromParent * parentFromElement(element);
     if (!element.shape.empty()) {
         if (const int mesh = meshOfShape(scene, element.shape); mesh >= 0)
-            instances.push_back({mesh, worldFromElement, element.name.empty() ? element.shape : element.name});
+            instances.push_back(
+                {mesh, worldFromElement, element.name.empty() ? element.shape : element.name});
     }
-    for (const Element& child : element.children) flattenInto(instances, scene, child, worldFromElement);
+    for (const Element& child : element.children)
+        flattenInto(instances, scene, child, worldFromElement);
 }
 
 } // namespace
@@ -62,7 +66,8 @@ void flattenInto(std::vector<Instance>& instances, const Scene& scene, const Ele
 std::vector<Instance> flatten(const Scene& scene)
 {
     std::vector<Instance> instances;
-    for (const Element& element : scene.elements) flattenInto(instances, scene, element, mat4(1.0f));
+    for (const Element& element : scene.elements)
+        flattenInto(instances, scene, element, mat4(1.0f));
     return instances;
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 Camera lookFrom(const char* name, const Bounds& bounds, const vec3& direction, const vec3& up)
 {
@@ -40,7 +42,8 @@ WaterBody waterAcross(const Bounds& bounds, float level)
     water.centre = {bounds.centre().x, bounds.centre().z};
     water.extent = glm::max(vec2(bounds.extent().x, bounds.extent().z), vec2(1e-2f));
     const float size = std::max(water.extent.x, water.extent.y);
-    // Short against the lake but never longer than waves a boat makes; gentle, 1 m of height to 150 m of length.
+    // Short against the lake but never longer than waves a boat makes; gentle, 1 m of height to 150 m of
+    // length.
     const float longest = std::min(size / 12.0f, 6.0f);
     for (int i = 0; i < 4; ++i) {
         Wave wave;

@@ -2,9 +2,11 @@
 
 #include <array>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 // Beyond these a float has lost its millimetres, and a typing error is likelier than a wish.
 constexpr KeyRange metres{-1e6, 1e6, "m"};

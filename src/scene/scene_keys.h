@@ -1,10 +1,12 @@
-// The keys of a scene file's tables: names, units and ranges, once for reading and writing. Private to src/scene.
+// The keys of a scene file's tables: names, units and ranges, once for reading and writing. Private to
+// src/scene.
 #pragma once
 
 #include "scene/scene.h"
 #include "scene/table_io.h"
 
-namespace tarn {
+namespace tarn
+{
 
 /// A material's pictures as the file names them.
 struct MaterialFiles {

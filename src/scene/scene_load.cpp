@@ -13,9 +13,11 @@
 #include <algorithm>
 #include <cctype>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 namespace fs = std::filesystem;
 
@@ -34,6 +36,7 @@ int materialIndex(const Scene& scene, const std::string& name)
 /// Models that cannot be read are left out with a warning while something else is left to draw.
 void readModels(Scene& scene, TextureQueue& textures, Progress* progress)
 {
+    MtlLibrary libraries(scene, textures);
     std::string firstProblem;
     for (std::size_t i = 0; i < scene.models.size(); ++i) {
         Model& model = scene.models[i];
@@ -41,7 +44,7 @@ void readModels(Scene& scene, TextureQueue& textures, Progress* progress)
                "reading " + model.file.filename().string());
         const int material = model.material.empty() ? -1 : materialIndex(scene, model.material);
         try {
-            Mesh mesh = readObj(scene.file.parent_path() / model.file, scene, textures, material);
+            Mesh mesh = readObj(scene.file.parent_path() / model.file, scene, libraries, material);
             mesh.name = model.name;
             model.mesh = static_cast<int>(scene.meshes.size());
             scene.meshes.push_back(std::move(mesh));
@@ -71,14 +74,17 @@ void placeEverything(Scene& scene)
         element.shape = shape;
         scene.elements.push_back(std::move(element));
     };
-    for (const Model& model : scene.models) place(model.name);
-    for (const Primitive& primitive : scene.primitives) place(primitive.name);
+    for (const Model& model : scene.models)
+        place(model.name);
+    for (const Primitive& primitive : scene.primitives)
+        place(primitive.name);
 }
 
 void checkSky(Scene& scene)
 {
     if (scene.sky.kind != Sky::Kind::picture || scene.sky.image != noImage) return;
-    log::warning("{}: the sky's picture is missing; the daylight model stands in for it", scene.file.string());
+    log::warning("{}: the sky's picture is missing; the daylight model stands in for it",
+                 scene.file.string());
     scene.sky.kind = Sky::Kind::daylight;
 }
 
@@ -92,7 +98,8 @@ void complete(Scene& scene, TextureQueue& textures, const LoadOptions& options)
     checkSky(scene);
 
     const Bounds bounds = worldBounds(scene);
-    if (bounds.empty()) throw Error("{}: nothing to draw, no visible element has a shape", scene.file.string());
+    if (bounds.empty())
+        throw Error("{}: nothing to draw, no visible element has a shape", scene.file.string());
     if (scene.cameras.empty()) scene.cameras = camerasAround(bounds);
     if (options.waterLevel) {
         if (!scene.water.present) scene.water = waterAcross(bounds, *options.waterLevel);
@@ -112,7 +119,8 @@ Scene loadObjScene(const fs::path& file, const LoadOptions& options)
     scene.models.push_back(model);
 
     Sun sun;
-    sun.direction = glm::normalize(vec3(0.4f, 0.7f, 0.45f)); // 49° high, from behind the overview camera's shoulder
+    sun.direction =
+        glm::normalize(vec3(0.4f, 0.7f, 0.45f)); // 49° high, from behind the overview camera's shoulder
     scene.sun = sun;
     // Daylight is some tens of klx; a tenth brings a grey wall near the middle of the tone curve.
     scene.options.push_back({"frame.exposure", "0.1", file.string()});

@@ -9,9 +9,11 @@
 #include <charconv>
 #include <cmath>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 namespace fs = std::filesystem;
 
@@ -48,22 +50,30 @@ double degreesOf(float radians)
 }
 
 /// Collects "key = value" lines.
-class TableWriter : public TableIo {
+class TableWriter : public TableIo
+{
 public:
     struct Line {
         std::string key, value;
     };
     std::vector<Line> lines;
 
-    void number(const char* key, float& value, const KeyRange&) override { add(key, fmt::format("{}", value)); }
-    void integer(const char* key, int& value, const KeyRange&) override { add(key, fmt::format("{}", value)); }
+    void number(const char* key, float& value, const KeyRange&) override
+    {
+        add(key, fmt::format("{}", value));
+    }
+    void integer(const char* key, int& value, const KeyRange&) override
+    {
+        add(key, fmt::format("{}", value));
+    }
     void angle(const char* key, float& radians, const KeyRange&) override
     {
         add(key, fmt::format("{}", degreesOf(radians)));
     }
     void angles(const char* key, vec3& radians) override
     {
-        add(key, fmt::format("[{}, {}, {}]", degreesOf(radians.x), degreesOf(radians.y), degreesOf(radians.z)));
+        add(key,
+            fmt::format("[{}, {}, {}]", degreesOf(radians.x), degreesOf(radians.y), degreesOf(radians.z)));
     }
     void vector(const char* key, vec2& value, const KeyRange&) override { add(key, listed(value)); }
     void vector(const char* key, vec3& value, const KeyRange&) override { add(key, listed(value)); }
@@ -81,9 +91,11 @@ private:
     void add(const char* key, std::string value) { lines.push_back({key, std::move(value)}); }
 };
 
-class SceneWriter {
+class SceneWriter
+{
 public:
-    SceneWriter(const Scene& scene, const fs::path& file) : scene_(scene), folder_(fs::absolute(file).parent_path())
+    SceneWriter(const Scene& scene, const fs::path& file)
+        : scene_(scene), folder_(fs::absolute(file).parent_path())
     {
     }
 
@@ -100,10 +112,14 @@ public:
             table("[[models]]", model, Model(), {"name", "file"});
         }
         primitives();
-        for (const Element& element : scene_.elements) elementTree(element, "elements");
-        for (const PointLight& light : scene_.pointLights) table("[[point_lights]]", light, PointLight(), {});
-        for (const SpotLight& light : scene_.spotLights) table("[[spot_lights]]", light, SpotLight(), {});
-        for (const Camera& camera : scene_.cameras) table("[[cameras]]", camera, Camera(), {"name", "eye", "target"});
+        for (const Element& element : scene_.elements)
+            elementTree(element, "elements");
+        for (const PointLight& light : scene_.pointLights)
+            table("[[point_lights]]", light, PointLight(), {});
+        for (const SpotLight& light : scene_.spotLights)
+            table("[[spot_lights]]", light, SpotLight(), {});
+        for (const Camera& camera : scene_.cameras)
+            table("[[cameras]]", camera, Camera(), {"name", "eye", "target"});
         return std::move(out_);
     }
 
@@ -122,7 +138,8 @@ private:
     }
 
     template <typename T>
-    void table(const std::string& header, T value, T defaultValue, std::initializer_list<std::string_view> always)
+    void table(const std::string& header, T value, T defaultValue,
+               std::initializer_list<std::string_view> always)
     {
         TableWriter actual, defaults;
         keys(actual, value);
@@ -224,7 +241,8 @@ private:
     void elementTree(const Element& element, const std::string& path)
     {
         table("[[" + path + "]]", element, Element(), {"name"});
-        for (const Element& child : element.children) elementTree(child, path + ".children");
+        for (const Element& child : element.children)
+            elementTree(child, path + ".children");
     }
 
     const Scene& scene_;

@@ -8,13 +8,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 constexpr int deepestElement = 64;
 
-class SceneParser {
+class SceneParser
+{
 public:
     SceneParser(const toml::table& root, const std::filesystem::path& file, TextureQueue& textures)
         : root_(root, file.string(), ""), file_(file.string()), textures_(textures)
@@ -115,7 +118,8 @@ private:
         if (sun.automatic) {
             std::string text = "auto";
             io.text("irradiance", text);
-            if (text != "auto") io.fail("irradiance", "must be \"auto\", a number or three, not '" + text + "'");
+            if (text != "auto")
+                io.fail("irradiance", "must be \"auto\", a number or three, not '" + text + "'");
         } else {
             io.uniform("irradiance", sun.irradiance, {0.0, 1e9});
         }
@@ -148,7 +152,8 @@ private:
             keys(io, light);
             io.finish();
             if (!normalise(light.direction)) io.fail("direction", "must not be zero");
-            if (light.innerAngle > light.outerAngle) io.fail("inner_angle", "must not be larger than outer_angle");
+            if (light.innerAngle > light.outerAngle)
+                io.fail("inner_angle", "must not be larger than outer_angle");
         }
     }
 
@@ -174,7 +179,8 @@ private:
 
     // ---- shapes
 
-    int request(const std::filesystem::path& picture, TextureUse use, const std::string& origin, float bumpScale = 0.0f)
+    int request(const std::filesystem::path& picture, TextureUse use, const std::string& origin,
+                float bumpScale = 0.0f)
     {
         return textures_.request(scene_.file.parent_path() / picture, use, origin, bumpScale);
     }
@@ -207,7 +213,8 @@ private:
             keys(io, material, files);
             io.finish();
             checkName(io, material.name, materialNames_);
-            const auto map = [&](const std::filesystem::path& picture, TextureUse use, const char* key, float scale) {
+            const auto map = [&](const std::filesystem::path& picture, TextureUse use, const char* key,
+                                 float scale) {
                 return picture.empty() ? noImage : request(picture, use, io.place(key), scale);
             };
             material.diffuseMap = map(files.diffuse, TextureUse::colour, "diffuse_map", 0.0f);
@@ -247,7 +254,8 @@ private:
             io.finish();
             checkName(io, primitive.name, shapeNames_);
             io.require({"kind"});
-            if (primitive.kind == Primitive::Kind::sphere && !table->contains("segments")) primitive.segments = 32;
+            if (primitive.kind == Primitive::Kind::sphere && !table->contains("segments"))
+                primitive.segments = 32;
             checkReference(io, "material", "material", material, materialNames_);
             primitive.material = material.empty() ? greyMaterial() : indexOfMaterial(material);
         }
@@ -276,7 +284,8 @@ private:
 
     void readElements()
     {
-        for (const auto* table : root_.tables("elements")) scene_.elements.push_back(readElement(*table, 1));
+        for (const auto* table : root_.tables("elements"))
+            scene_.elements.push_back(readElement(*table, 1));
     }
 
     Element readElement(const toml::table& table, int depth)
@@ -291,7 +300,8 @@ private:
             io.fail("scale", "must not be zero");
         if (depth == deepestElement && !children.empty())
             throw Error("{}: elements are nested more than {} deep", io.place(), deepestElement);
-        for (const auto* child : children) element.children.push_back(readElement(*child, depth + 1));
+        for (const auto* child : children)
+            element.children.push_back(readElement(*child, depth + 1));
         return element;
     }
 
@@ -339,7 +349,8 @@ Scene parseScene(const std::string& text, const std::filesystem::path& file, Tex
     try {
         root = toml::parse(text);
     } catch (const toml::parse_error& error) {
-        throw Error("{}:{}: not valid TOML: {}", file.string(), error.source().begin.line, error.description());
+        throw Error("{}:{}: not valid TOML: {}", file.string(), error.source().begin.line,
+                    error.description());
     }
     return SceneParser(root, file, textures).parse();
 }

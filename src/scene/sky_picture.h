@@ -1,12 +1,13 @@
 // A sky given as a picture: latitude-longitude or cube map, told apart by its shape. Private to src/scene.
 //
-// Every layout is seen from inside, unmirrored: the middle of a latitude-longitude picture, the centre of a cross
-// and the fifth face of a strip lie along -z; what is to their right lies along +x.
+// Every layout is seen from inside, unmirrored: the middle of a latitude-longitude picture, the centre of a
+// cross and the fifth face of a strip lie along -z; what is to their right lies along +x.
 #pragma once
 
 #include "scene/image.h"
 
-namespace tarn {
+namespace tarn
+{
 
 enum class SkyLayout { latLong, crossWide, crossTall, stripWide, stripTall };
 

@@ -1,4 +1,5 @@
-// One table of a scene file, key by key, read or written by the same description (scene_keys.h). Private to src/scene.
+// One table of a scene file, key by key, read or written by the same description (scene_keys.h). Private to
+// src/scene.
 #pragma once
 
 #include "base/math.h"
@@ -8,7 +9,8 @@
 #include <span>
 #include <string>
 
-namespace tarn {
+namespace tarn
+{
 
 struct KeyRange {
     double lower = -std::numeric_limits<double>::infinity();
@@ -17,7 +19,8 @@ struct KeyRange {
     bool lowerExcluded = false; ///< "more than 0"
 };
 
-class TableIo {
+class TableIo
+{
 public:
     virtual ~TableIo() = default;
 

@@ -1,4 +1,5 @@
-// Reads one TOML table with errors that name file, line and key. Private to src/scene; the only header with toml++.
+// Reads one TOML table with errors that name file, line and key. Private to src/scene; the only header with
+// toml++.
 #pragma once
 
 #include "scene/table_io.h"
@@ -9,10 +10,12 @@
 #include <string>
 #include <vector>
 
-namespace tarn {
+namespace tarn
+{
 
 /// Every key that is asked for counts as known; finish() objects to the others.
-class TableReader : public TableIo {
+class TableReader : public TableIo
+{
 public:
     /// @param section "water", as error messages name it
     TableReader(const toml::table& table, std::string file, std::string section);

@@ -4,9 +4,11 @@
 #include <string>
 #include <string_view>
 
-namespace tarn {
+namespace tarn
+{
 
-/// Makes every line end with \n and nothing else, and blanks a UTF-8 byte-order mark. Lines keep their numbers.
+/// Makes every line end with \n and nothing else, and blanks a UTF-8 byte-order mark. Lines keep their
+/// numbers.
 void normaliseLines(std::string& text);
 
 inline bool isBlank(char c)

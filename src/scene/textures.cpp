@@ -12,9 +12,11 @@
 #include <optional>
 #include <thread>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 bool storesLinear(const Image& image)
 {
@@ -27,7 +29,8 @@ void toBytes(Image& image)
 {
     image.bytes.resize(image.floats.size());
     std::transform(image.floats.begin(), image.floats.end(), image.bytes.begin(), [](float value) {
-        return static_cast<std::uint8_t>(std::lround(std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f) * 255.0f));
+        return static_cast<std::uint8_t>(
+            std::lround(std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f) * 255.0f));
     });
     image.floats.clear();
 }
@@ -116,7 +119,8 @@ void finishMaterial(Material& material, const std::vector<Image>& images, const 
 
 } // namespace
 
-int TextureQueue::request(const std::filesystem::path& file, TextureUse use, const std::string& origin, float bumpScale)
+int TextureQueue::request(const std::filesystem::path& file, TextureUse use, const std::string& origin,
+                          float bumpScale)
 {
     const auto path = file.lexically_normal();
     const auto found = std::find_if(requests_.begin(), requests_.end(), [&](const Request& request) {
@@ -134,12 +138,18 @@ Image TextureQueue::decode(const Request& request)
     case TextureUse::colour:
         if (image.isFloat() && !storesLinear(image)) toBytes(image);
         break;
-    case TextureUse::alpha: toAlpha(image); break;
+    case TextureUse::alpha:
+        toAlpha(image);
+        break;
     case TextureUse::normal:
         if (image.channels < 3) throw Error("{}: a normal map needs three channels", image.name);
         break;
-    case TextureUse::bump: toNormals(image, request.bumpScale); break;
-    case TextureUse::sky: skyLayout(image); break;
+    case TextureUse::bump:
+        toNormals(image, request.bumpScale);
+        break;
+    case TextureUse::sky:
+        skyLayout(image);
+        break;
     }
     return image;
 }
@@ -162,7 +172,8 @@ void TextureQueue::decodeInto(Scene& scene, Progress* progress)
             const std::lock_guard lock(reporting);
             ++done;
             if (progress)
-                progress->report(0.5 + 0.5 * static_cast<double>(done) / static_cast<double>(requests_.size()),
+                progress->report(0.5 +
+                                     0.5 * static_cast<double>(done) / static_cast<double>(requests_.size()),
                                  "reading " + requests_[i].file.filename().string());
         }
     };
@@ -171,7 +182,8 @@ void TextureQueue::decodeInto(Scene& scene, Progress* progress)
     for (std::size_t i = 1; i < std::min(cores, requests_.size()); ++i)
         workers.push_back(std::async(std::launch::async, work));
     work();
-    for (auto& worker : workers) worker.get();
+    for (auto& worker : workers)
+        worker.get();
 
     std::vector<int> imageOf(requests_.size(), noImage);
     for (std::size_t i = 0; i < requests_.size(); ++i) {
@@ -182,7 +194,8 @@ void TextureQueue::decodeInto(Scene& scene, Progress* progress)
             log::warning("{}: {}; drawn without it", requests_[i].origin, problems[i]);
         }
     }
-    for (Material& material : scene.materials) finishMaterial(material, scene.images, imageOf);
+    for (Material& material : scene.materials)
+        finishMaterial(material, scene.images, imageOf);
     remap(scene.sky.image, imageOf);
 }
 

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-namespace tarn {
+namespace tarn
+{
 
 /// What a picture is for decides how it is prepared.
 enum class TextureUse {
@@ -19,15 +20,17 @@ enum class TextureUse {
     sky,    ///< as stored; its shape must be one that a sky can have
 };
 
-class TextureQueue {
+class TextureQueue
+{
 public:
     /// Promises a picture and returns its number; equal requests share one.
     /// @param origin where it is asked for, "lake.mtl:12"
     /// @param bumpScale for TextureUse::bump: black to white is this times 2 % of the picture's width
-    int request(const std::filesystem::path& file, TextureUse use, const std::string& origin, float bumpScale = 0.0f);
+    int request(const std::filesystem::path& file, TextureUse use, const std::string& origin,
+                float bumpScale = 0.0f);
 
-    /// Decodes all of them on every core into scene.images and turns the promised numbers in materials and sky into
-    /// indices. A picture that cannot be read is a warning and leaves noImage.
+    /// Decodes all of them on every core into scene.images and turns the promised numbers in materials and
+    /// sky into indices. A picture that cannot be read is a warning and leaves noImage.
     void decodeInto(Scene& scene, Progress* progress);
 
 private:

@@ -6,8 +6,10 @@
 
 #include <array>
 
-namespace tarn::test {
-namespace {
+namespace tarn::test
+{
+namespace
+{
 
 enum class Mode { slow, fast };
 constexpr std::array modeNames{"slow", "fast"};
@@ -138,8 +140,9 @@ TEST(Fields, ListAndJsonShowTheSameTree)
     EXPECT_EQ(rows[5].value, "slow");
 
     const auto json = toJson(s.tree());
-    EXPECT_EQ(json.dump(), R"({"sample":{"colour":[0.5,0.5,0.5],"light":{"gain":0.1},"mode":"slow","on":false,)"
-                           R"("size":[1.0,2.0],"steps":3}})");
+    EXPECT_EQ(json.dump(),
+              R"({"sample":{"colour":[0.5,0.5,0.5],"light":{"gain":0.1},"mode":"slow","on":false,)"
+              R"("size":[1.0,2.0],"steps":3}})");
 }
 
 TEST(Fields, ListedValuesCanBeAssigned)
@@ -149,7 +152,8 @@ TEST(Fields, ListedValuesCanBeAssigned)
     s.mode = Mode::fast;
     s.on = true;
     Sample copy;
-    for (const auto& row : listFields(s.tree())) copy.set(row.key + "=" + row.value);
+    for (const auto& row : listFields(s.tree()))
+        copy.set(row.key + "=" + row.value);
     EXPECT_EQ(copy.colour, s.colour);
     EXPECT_EQ(copy.mode, s.mode);
     EXPECT_TRUE(copy.on);

@@ -6,8 +6,10 @@
 
 #include <thread>
 
-namespace tarn::test {
-namespace {
+namespace tarn::test
+{
+namespace
+{
 
 namespace fs = std::filesystem;
 
@@ -63,7 +65,8 @@ TEST(Files, AFailedWriteLeavesTheOldFileAndNoRest)
 TEST(Files, WritingNamesAMissingFolder)
 {
     const TempFolder folder;
-    EXPECT_CONTAINS(messageOf<Error>([&] { writeFile(folder.path() / "no" / "out.txt", "x"); }), "there is no folder");
+    EXPECT_CONTAINS(messageOf<Error>([&] { writeFile(folder.path() / "no" / "out.txt", "x"); }),
+                    "there is no folder");
     EXPECT_CONTAINS(messageOf<Error>([&] { writeFile(folder.path(), "x"); }), "is a directory");
 }
 

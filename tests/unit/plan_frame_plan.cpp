@@ -31,6 +31,7 @@ FramePlan planFor(const WaterBody& water, const Camera& camera, const Options& o
 {
     Scene scene;
     scene.water = water;
+    scene.sun = Sun{};
     return planFrame(scene, water, camera, options, {640, 480}, time);
 }
 
@@ -69,6 +70,7 @@ TEST(FramePlan, NothingOfTheWaterRunsWithoutIt)
         EXPECT_FALSE(plan[PassId::water].wanted);
         EXPECT_FALSE(plan[PassId::refraction].wanted);
         EXPECT_FALSE(plan[PassId::reflection].wanted);
+        EXPECT_FALSE(plan[PassId::glow].wanted);
         EXPECT_TRUE(plan[PassId::scene].wanted);
         EXPECT_TRUE(plan[PassId::present].wanted);
         expectReasons(plan);
@@ -89,6 +91,27 @@ TEST(FramePlan, SwitchesTurnOffOnePassEach)
     plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
     EXPECT_TRUE(plan[PassId::refraction].wanted);
     EXPECT_FALSE(plan[PassId::reflection].wanted);
+}
+
+TEST(FramePlan, GlowNeedsASunOverTheWater)
+{
+    const Camera camera = cameraAt({0, 4, 15}, {0, 0, 0});
+    const auto wantsGlow = [&camera](const Scene& scene, const Options& options) {
+        return planFrame(scene, scene.water, camera, options, {640, 480}, 0.0)[PassId::glow].wanted;
+    };
+    Scene scene;
+    scene.water = lake();
+    EXPECT_FALSE(wantsGlow(scene, {}));
+    scene.sun = Sun{};
+    EXPECT_TRUE(wantsGlow(scene, {}));
+    scene.sun->direction = normalize(vec3(1.0f, -0.1f, 0.0f));
+    EXPECT_FALSE(wantsGlow(scene, {}));
+    scene.sun->direction = vec3(0.0f, 1.0f, 0.0f);
+    Options options;
+    options.glow.divisor = 10;
+    EXPECT_EQ(planFrame(scene, scene.water, camera, options, {640, 480}, 0.0)[PassId::glow].size, ivec2(64, 48));
+    options.glow.enabled = false;
+    EXPECT_FALSE(wantsGlow(scene, options));
 }
 
 TEST(FramePlan, TheEyeIsUnderTheMovingSurfaceNotTheLevel)

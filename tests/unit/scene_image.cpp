@@ -5,8 +5,32 @@
 
 #include <cmath>
 
-namespace tarn::test {
-namespace {
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
+namespace tarn::test
+{
+namespace
+{
+
+/// OpenImageIO 2.4 leaves libpng's error handler by longjmp over a std::string: 31 bytes for each PNG that is
+/// cut short. They are not ours to free, and a suppression by name finds no frame to match in libraries built
+/// for release.
+struct LeaksOfOthers {
+#ifdef __SANITIZE_ADDRESS__
+    LeaksOfOthers()
+    {
+        __lsan_disable();
+    }
+    ~LeaksOfOthers()
+    {
+        __lsan_enable();
+    }
+#else
+    LeaksOfOthers() {}
+#endif
+};
 
 Image bytesImage(int width, int height, int channels)
 {
@@ -14,7 +38,8 @@ Image bytesImage(int width, int height, int channels)
     image.width = width;
     image.height = height;
     image.channels = channels;
-    for (std::size_t i = 0; i < image.size(); ++i) image.bytes.push_back(static_cast<std::uint8_t>(i * 37 % 256));
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image.bytes.push_back(static_cast<std::uint8_t>(i * 37 % 256));
     return image;
 }
 
@@ -91,11 +116,13 @@ TEST(Image, BadFilesAreOneLine)
     EXPECT_CONTAINS(problem(folder.file("junk.xyz", "junk")), "junk.xyz: ");
 
     // The header of a PNG of 0x0 pixels, with its right checksum.
-    const std::string zero("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\0\0\0\0\0\x08\x02\0\0\0\xb4\xe9\xeb\x45", 33);
+    const std::string zero("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\0\0\0\0\0\x08\x02\0\0\0\xb4\xe9\xeb\x45",
+                           33);
     EXPECT_CONTAINS(problem(folder.file("zero.png", zero)), "zero.png: ");
 
     writeImage(folder.path() / "whole.png", bytesImage(64, 64, 3));
     const std::string whole = readFile(folder.path() / "whole.png");
+    const LeaksOfOthers ignored;
     EXPECT_CONTAINS(problem(folder.file("cut.png", whole.substr(0, whole.size() / 2))), "cut.png: ");
 }
 
@@ -103,9 +130,11 @@ TEST(Image, WritingIsWholeOrNothing)
 {
     const TempFolder folder;
     EXPECT_CONTAINS(messageOf<Error>([&] { writeImage(folder.path() / "x.png", Image()); }), "empty");
-    EXPECT_CONTAINS(messageOf<Error>([&] { writeImage(folder.path() / "x.abc", bytesImage(1, 1, 3)); }), "x.abc");
-    EXPECT_CONTAINS(messageOf<Error>([&] { writeImage(folder.path() / "no" / "x.png", bytesImage(1, 1, 3)); }),
-                    "no folder");
+    EXPECT_CONTAINS(messageOf<Error>([&] { writeImage(folder.path() / "x.abc", bytesImage(1, 1, 3)); }),
+                    "x.abc");
+    EXPECT_CONTAINS(
+        messageOf<Error>([&] { writeImage(folder.path() / "no" / "x.png", bytesImage(1, 1, 3)); }),
+        "no folder");
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

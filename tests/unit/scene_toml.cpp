@@ -6,12 +6,15 @@
 
 #include <cmath>
 
-namespace tarn::test {
-namespace {
+namespace tarn::test
+{
+namespace
+{
 
 const std::string bed = "[[primitives]]\nname = 'bed'\nkind = 'plane'\n";
 
-class TomlTest : public ::testing::Test {
+class TomlTest : public ::testing::Test
+{
 protected:
     TempFolder folder;
     log::Capture log;
@@ -61,7 +64,8 @@ TEST_F(TomlTest, WaterAndWaves)
         phase = 180
         period = 2
         [[water.waves]]
-    )").water;
+    )")
+                                .water;
     EXPECT_TRUE(water.present);
     EXPECT_EQ(water.level, -0.5f);
     EXPECT_EQ(water.centre, vec2(1.0f, 2.0f));
@@ -86,9 +90,12 @@ TEST_F(TomlTest, OptionsAreFlattened)
         a.b = [1, 2.5, 3]
     )");
     std::map<std::string, std::string> options;
-    for (const auto& option : scene.options) options[option.key] = option.value;
-    EXPECT_EQ(options, (std::map<std::string, std::string>{{"frame.exposure", "0.1"}, {"refraction.steps", "3"},
-                                                           {"refraction.method", "planar"}, {"water.enabled", "true"},
+    for (const auto& option : scene.options)
+        options[option.key] = option.value;
+    EXPECT_EQ(options, (std::map<std::string, std::string>{{"frame.exposure", "0.1"},
+                                                           {"refraction.steps", "3"},
+                                                           {"refraction.method", "planar"},
+                                                           {"water.enabled", "true"},
                                                            {"a.b", "1,2.5,3"}}));
     for (const auto& option : scene.options) {
         if (option.key == "frame.exposure") {
@@ -122,14 +129,30 @@ TEST_F(TomlTest, MaterialsAndOverrides)
         material = "gold"
     )");
     const auto materialOf = [&](int mesh) {
-        return scene.materials[static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(mesh)].parts[0].material)].name;
+        return scene
+            .materials[static_cast<std::size_t>(
+                scene.meshes[static_cast<std::size_t>(mesh)].parts[0].material)]
+            .name;
     };
+    ASSERT_EQ(scene.materials.size(), 2u);
     EXPECT_EQ(materialOf(scene.models[0].mesh), "own");
     EXPECT_EQ(materialOf(scene.models[1].mesh), "gold");
     EXPECT_EQ(materialOf(scene.primitives[0].mesh), "gold");
     EXPECT_EQ(scene.materials[0].specular, vec3(0.5f));
     EXPECT_EQ(scene.materials[0].emissive, vec3(0.0f, 0.0f, 2.0f));
     EXPECT_TRUE(scene.materials[0].twoSided);
+}
+
+TEST_F(TomlTest, ModelsShareTheirLibrary)
+{
+    folder.file("x.mtl", "newmtl a\nKd nan 0 0\nnewmtl b\n");
+    folder.file("x.obj", "mtllib x.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.file("y.obj", "mtllib ./x.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Scene scene =
+        load("[[models]]\nname = 'x'\nfile = 'x.obj'\n[[models]]\nname = 'y'\nfile = 'y.obj'\n");
+    EXPECT_EQ(scene.materials.size(), 2u);
+    EXPECT_EQ(scene.meshes[1].parts[0].material, 1);
+    EXPECT_EQ(log.messages().size(), 1u) << "and warns once";
 }
 
 TEST_F(TomlTest, ElementsNest)
@@ -232,7 +255,8 @@ TEST_F(TomlTest, PlaneBoxAndSphere)
     EXPECT_NEAR(surfaceArea(box), 22.0f, 1e-4f);
     EXPECT_EQ(box.vertices.size(), 24u);
     EXPECT_EQ(box.bounds.upper, vec3(0.5f, 1.0f, 1.5f));
-    for (const Vertex& v : box.vertices) EXPECT_GT(glm::dot(v.normal, v.position), 0.0f);
+    for (const Vertex& v : box.vertices)
+        EXPECT_GT(glm::dot(v.normal, v.position), 0.0f);
 
     const Mesh& sphere = scene.meshes[2];
     EXPECT_NEAR(surfaceArea(sphere), 4.0f * pi, 0.05f);
@@ -334,7 +358,8 @@ far = 500
 
 void expectSame(const Scene& a, const Scene& b);
 
-class RoundTripTest : public TomlTest {
+class RoundTripTest : public TomlTest
+{
 protected:
     void SetUp() override
     {
@@ -400,7 +425,8 @@ void expectSame(const Element& a, const Element& b)
     expectNear(a.rotation, b.rotation);
     expectNear(a.scale, b.scale);
     ASSERT_EQ(a.children.size(), b.children.size());
-    for (std::size_t i = 0; i < a.children.size(); ++i) expectSame(a.children[i], b.children[i]);
+    for (std::size_t i = 0; i < a.children.size(); ++i)
+        expectSame(a.children[i], b.children[i]);
 }
 
 void expectSame(const Material& a, const Material& b)
@@ -453,7 +479,8 @@ void expectSame(const Camera& a, const Camera& b)
 template <typename T> void expectSameList(const std::vector<T>& a, const std::vector<T>& b)
 {
     ASSERT_EQ(a.size(), b.size());
-    for (std::size_t i = 0; i < a.size(); ++i) expectSame(a[i], b[i]);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        expectSame(a[i], b[i]);
 }
 
 void expectSameLight(const Scene& a, const Scene& b)
@@ -500,7 +527,8 @@ void expectSame(const Scene& a, const Scene& b)
         const Mesh& n = b.meshes[static_cast<std::size_t>(right[i].mesh)];
         EXPECT_EQ(m.indices, n.indices);
         ASSERT_EQ(m.vertices.size(), n.vertices.size());
-        for (std::size_t k = 0; k < m.vertices.size(); ++k) EXPECT_EQ(m.vertices[k].position, n.vertices[k].position);
+        for (std::size_t k = 0; k < m.vertices.size(); ++k)
+            EXPECT_EQ(m.vertices[k].position, n.vertices[k].position);
     }
 }
 

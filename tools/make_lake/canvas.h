@@ -11,7 +11,8 @@ namespace tarn::lake {
 
 inline constexpr int textureSize = 1024;
 
-/// Square, linear RGB with coverage. Rows run from top to bottom; u and v of a pixel are from 0 to 1, v upward.
+/// Square, linear RGB with coverage. Rows run from top to bottom; u and v of a pixel are from 0 to 1, v
+/// upward.
 class Canvas {
 public:
     /// Tiled canvases let strokes leave on one side and come in on the other; others cut them off.
@@ -20,8 +21,7 @@ public:
     explicit Canvas(int size = textureSize, Edge edge = Edge::tiled)
         : size_(size), edge_(edge),
           pixels_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), vec4(0.0f))
-    {
-    }
+    {}
 
     int size() const { return size_; }
     /// Wraps round at the edges, as textures do.

@@ -7,10 +7,10 @@ namespace tarn::lake {
 namespace {
 
 struct ShorePoint {
-    float radius;        ///< m from the middle of the lake
-    float beach, cliff;  ///< the rest is bank
-    float shelf;         ///< width of the shallow part, m
-    float hill;          ///< height of the hills behind, m
+    float radius;       ///< m from the middle of the lake
+    float beach, cliff; ///< the rest is bank
+    float shelf;        ///< width of the shallow part, m
+    float hill;         ///< height of the hills behind, m
 };
 
 // Every 22.5° from east (+x) through south (+z).
@@ -89,16 +89,23 @@ float LakeShape::land(vec2 p, float shore, const ShoreKind& kind) const
     const float angle = std::atan2(p.y, p.x);
     const float beach = 0.085f * std::min(shore, 7.0f) + 0.55f * smoothStep(4.5f, 9.0f, shore);
     const float bank = 0.85f * (1.0f - std::exp(-shore / 1.9f)) + 0.02f * std::min(shore, 12.0f);
-    const float ledge = 1.6f * noise_.at(p / 4.2f) + 0.8f * noise_.at(p / 1.9f);
-    const float top = 6.4f + 1.8f * noise_.at(p / 13.0f);
-    const float step = 0.42f * smoothStep(0.0f, 1.9f, shore + 0.4f * ledge) + 0.58f * smoothStep(2.4f, 4.6f, shore + ledge);
-    const float cliff = top * step * smoothStep(0.0f, 0.8f, shore) + 0.25f * shore * smoothStep(0.0f, 2.0f, shore);
+    // A cliff of blocks: each stands out or back and is a little higher or lower; three ledges.
+    const vec2 warped = p + 0.8f * vec2(noise_.at(p / 2.3f), noise_.at(p / 2.3f + 7.0f));
+    const Cell block = noise_.cell(warped / 3.4f), chip = noise_.cell(warped / 1.5f);
+    const float face = shore + 2.1f * (block.id - 0.5f) + 0.9f * (chip.id - 0.5f);
+    const float top = 6.2f + 2.2f * noise_.at(p / 12.0f) + 1.3f * (block.id - 0.5f);
+    const float step = 0.30f * smoothStep(0.2f, 0.9f, face) + 0.38f * smoothStep(1.9f, 2.6f, face) +
+                       0.32f * smoothStep(3.5f, 4.4f, face);
+    const float crumble = 0.35f * (chip.id - 0.5f) + 0.18f * noise_.fractal(p / 0.9f, 2);
+    const float cliff =
+        (top * step + crumble * smoothStep(0.0f, 0.6f, step)) * smoothStep(0.0f, 0.5f, shore) + 0.12f * shore;
     const float edge = beach * kind.beach + bank * kind.bank + std::min(cliff, top + 1.5f) * kind.cliff;
 
     const float roll = 0.75f + 0.45f * noise_.fractal(p / 85.0f, 3) + 0.12f * noise_.fractal(p / 24.0f, 2);
     const float rise = std::pow(smoothStep(8.0f, 215.0f, shore), 1.15f);
     const float hills = around(angle, &ShorePoint::hill) * roll * rise;
-    const float meadow = 0.9f * noise_.fractal(p / 21.0f, 3) * smoothStep(6.0f, 26.0f, shore) + 0.045f * std::min(shore, 60.0f) * smoothStep(3.0f, 20.0f, shore);
+    const float meadow = 0.9f * noise_.fractal(p / 21.0f, 3) * smoothStep(6.0f, 26.0f, shore) +
+                         0.045f * std::min(shore, 60.0f) * smoothStep(3.0f, 20.0f, shore);
     const float grain = 0.05f * noise_.fractal(p / 1.7f, 2) * smoothStep(0.3f, 4.0f, shore);
     return edge + hills + meadow + grain;
 }
@@ -151,7 +158,8 @@ vec2 LakeShape::shoreAlong(vec2 origin, float angleDegrees) const
     const float angle = glm::radians(angleDegrees);
     const vec2 direction(std::cos(angle), std::sin(angle));
     float distance = 0.0f;
-    while (distance < 150.0f && height(origin + distance * direction) < 0.0f) distance += 0.05f;
+    while (distance < 150.0f && height(origin + distance * direction) < 0.0f)
+        distance += 0.05f;
     return origin + distance * direction;
 }
 

@@ -15,7 +15,7 @@ struct ShoreKind {
 
 struct Ground {
     float height = 0.0f;
-    float shore = 0.0f;  ///< metres from the nearest shore line, lake's or island's; positive on land
+    float shore = 0.0f; ///< metres from the nearest shore line, lake's or island's; positive on land
     ShoreKind kind;
 };
 

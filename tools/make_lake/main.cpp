@@ -33,7 +33,8 @@ Arguments parse(int count, char** words)
     for (int i = 1; i < count; ++i) {
         const std::string_view word = words[i];
         if ((word != "--out" && word != "--seed") || i + 1 == count)
-            throw UsageError("'{}': {}; {}", word, i + 1 == count ? "a value is missing or the word is unknown" : "unknown", usage);
+            throw UsageError("'{}': {}; {}", word,
+                             i + 1 == count ? "a value is missing or the word is unknown" : "unknown", usage);
         const std::string_view value = words[++i];
         if (word == "--out") {
             arguments.out = value;
@@ -58,12 +59,13 @@ public:
         vertices_ += mesh.positions.size();
         faces_ += mesh.faces.size();
         drawn_ += mesh.triangles() * copies;
-        std::cout << fmt::format("{:14} {:7} vertices {:7} faces {:4} x {:6} triangles\n", name, mesh.positions.size(),
-                                 mesh.faces.size(), copies, mesh.triangles());
+        std::cerr << fmt::format("{:14} {:7} vertices {:7} faces {:4} x {:6} triangles\n", name,
+                                 mesh.positions.size(), mesh.faces.size(), copies, mesh.triangles());
     }
     void summary() const
     {
-        std::cout << fmt::format("{:14} {:7} vertices {:7} faces, {} triangles drawn\n", "together", vertices_, faces_, drawn_);
+        std::cerr << fmt::format("{:14} {:7} vertices {:7} faces, {} triangles drawn\n", "together",
+                                 vertices_, faces_, drawn_);
     }
 
 private:
@@ -77,24 +79,30 @@ std::vector<Shade> otherShades(const std::vector<Boulder>& boulders, const PierS
     std::vector<Shade> shades;
     for (const Boulder& boulder : boulders)
         shades.push_back({{boulder.centre.x, boulder.centre.z}, 1.7f * boulder.radii.x, 0.6f});
-    for (float along = 0.0f; along < site.length; along += 0.7f) shades.push_back({site.at(along, 0.0f), 1.6f, 0.22f});
-    const vec3 boat(boatPlace(site)[3]), bow(boatPlace(site) * vec4(1.2f, 0, 0, 1)), stern(boatPlace(site) * vec4(-1.2f, 0, 0, 1));
-    for (const vec3& p : {boat, bow, stern}) shades.push_back({{p.x, p.z}, 1.5f, 0.25f});
+    for (float along = 0.0f; along < site.length; along += 0.7f)
+        shades.push_back({site.at(along, 0.0f), 1.6f, 0.22f});
+    const vec3 boat(boatPlace(site)[3]), bow(boatPlace(site) * vec4(1.2f, 0, 0, 1)),
+        stern(boatPlace(site) * vec4(-1.2f, 0, 0, 1));
+    for (const vec3& p : {boat, bow, stern})
+        shades.push_back({{p.x, p.z}, 1.5f, 0.25f});
     return shades;
 }
 
-void writePlants(Output& output, const LakeShape& shape, const std::vector<View>& cameras, const std::vector<Species>& species, const std::filesystem::path& textures, std::uint32_t seed)
+void writePlants(Output& output, const LakeShape& shape, const std::vector<View>& cameras,
+                 const std::vector<Species>& species, const std::filesystem::path& textures,
+                 std::uint32_t seed)
 {
     const FoliageTextures foliage = drawFoliage(seed);
     writeFoliageTextures(textures, foliage);
     std::vector<const Mesh*> far;
-    for (const std::size_t kind : {0u, 1u, 2u, 3u, 5u, 6u, 7u, 8u}) far.push_back(&species[kind].mesh);
+    for (const std::size_t kind : {0u, 1u, 2u, 3u, 5u, 6u, 7u, 8u})
+        far.push_back(&species[kind].mesh);
     const Impostors impostors = drawImpostors(far, foliage);
     writePngWithAlpha(textures / "forest_trees.png", impostors.picture);
 
     output.write(makeReeds(shape, cameras, Random(seed, 2)), "reeds");
     output.write(makeGrass(shape, cameras, Random(seed, 3)), "grass");
-    output.write(makeWeed(shape, Random(seed, 4)), "weed");
+    output.write(makeWeed(shape, cameras, Random(seed, 4)), "weed");
     output.write(makeForest(shape, impostors, cameras, Random(seed, 5)), "forest");
 }
 
@@ -114,7 +122,8 @@ void make(const Arguments& arguments)
     const std::vector<StandingTree> trees = plantTrees(shape, species, cameras, Random(seed, 7));
 
     std::vector<Shade> shades = treeShades(trees, species);
-    for (const Shade& shade : otherShades(boulders, site)) shades.push_back(shade);
+    for (const Shade& shade : otherShades(boulders, site))
+        shades.push_back(shade);
 
     Output output(arguments.out);
     output.write(makeTerrain(shape, shades, seed + 8), "terrain");
@@ -129,15 +138,20 @@ void make(const Arguments& arguments)
     writePlants(output, shape, cameras, species, textures, seed);
     for (std::size_t kind = 0; kind < species.size(); ++kind) {
         std::size_t copies = 0;
-        for (const StandingTree& tree : trees) copies += tree.species == kind ? 1u : 0u;
+        for (const StandingTree& tree : trees)
+            copies += tree.species == kind ? 1u : 0u;
         output.write(species[kind].mesh, species[kind].name, copies);
     }
     writeMaterials(arguments.out);
     writeGroundTextures(textures, seed);
     writeWoodTextures(textures, seed);
 
-    SceneParts parts{.placedModels = {"terrain", "mountains", "boulders", "stones", "trunk", "pier", "reeds", "grass", "weed", "forest"},
-                     .species = &species, .trees = &trees, .views = &cameras, .worldFromBoat = boatPlace(site)};
+    SceneParts parts{.placedModels = {"terrain", "mountains", "boulders", "stones", "trunk", "pier", "reeds",
+                                      "grass", "weed", "forest"},
+                     .species = &species,
+                     .trees = &trees,
+                     .views = &cameras,
+                     .worldFromBoat = boatPlace(site)};
     parts.boatTurn = std::atan2(-parts.worldFromBoat[0].z, parts.worldFromBoat[0].x);
     writeFile(arguments.out / "lake.toml", sceneText(parts, Random(seed, 15)));
     output.summary();

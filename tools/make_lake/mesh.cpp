@@ -53,7 +53,8 @@ void Mesh::append(const Mesh& other, const mat4& worldFromModel)
     const mat3 turn(worldFromModel);
     for (std::size_t i = 0; i < other.positions.size(); ++i)
         addPosition(vec3(worldFromModel * vec4(other.positions[i], 1.0f)), other.colours[i]);
-    for (const vec3& normal : other.normals) addNormal(turn * normal);
+    for (const vec3& normal : other.normals)
+        addNormal(turn * normal);
     uvs.insert(uvs.end(), other.uvs.begin(), other.uvs.end());
     const int before = current_;
     for (Face face : other.faces) {
@@ -78,15 +79,16 @@ void Mesh::tint(const std::function<vec3(const vec3&, const vec3&)>& change)
 std::size_t Mesh::triangles() const
 {
     std::size_t sum = 0;
-    for (const Face& face : faces) sum += face.count == 4 ? 2u : 1u;
+    for (const Face& face : faces)
+        sum += face.count == 4 ? 2u : 1u;
     return sum;
 }
 
 namespace {
 
 /// A fan over a ring, for the end of a bar.
-void addCap(Mesh& mesh, const std::vector<Corner>& ring, const TubeRing& end, const vec3& outward, bool reverse,
-            const TubeStyle& style)
+void addCap(Mesh& mesh, const std::vector<Corner>& ring, const TubeRing& end, const vec3& outward,
+            bool reverse, const TubeStyle& style)
 {
     const int normal = mesh.addNormal(outward);
     const int centre = mesh.addPosition(end.centre, style.colour(end.centre));
@@ -95,14 +97,17 @@ void addCap(Mesh& mesh, const std::vector<Corner>& ring, const TubeRing& end, co
     std::vector<int> rim;
     for (int side = 0; side <= style.sides; ++side) {
         const float turn = 2.0f * pi * real(side) / real(style.sides);
-        rim.push_back(mesh.addUv({style.uOffset + 0.5f + spread * std::cos(turn), 0.5f + spread * std::sin(turn)}));
+        rim.push_back(
+            mesh.addUv({style.uOffset + 0.5f + spread * std::cos(turn), 0.5f + spread * std::sin(turn)}));
     }
     for (int side = 0; side < style.sides; ++side) {
         const auto i = static_cast<std::size_t>(side);
         const Corner a{ring[i].position, rim[i], normal}, b{ring[i + 1].position, rim[i + 1], normal};
         const Corner middle{centre, centreUv, normal};
-        if (reverse) mesh.triangle(middle, b, a);
-        else mesh.triangle(middle, a, b);
+        if (reverse)
+            mesh.triangle(middle, b, a);
+        else
+            mesh.triangle(middle, a, b);
     }
 }
 
@@ -139,16 +144,15 @@ void addTube(Mesh& mesh, const std::vector<TubeRing>& rings, const TubeStyle& st
             } else {
                 corner = corners[i].front();
             }
-            corner.uv = mesh.addUv({style.uOffset + style.uvRound * real(s) / real(style.sides),
-                                    along * style.uvPerMetre});
+            corner.uv = mesh.addUv(
+                {style.uOffset + style.uvRound * real(s) / real(style.sides), along * style.uvPerMetre});
             corners[i].push_back(corner);
         }
     }
     for (std::size_t i = 0; i + 1 < rings.size(); ++i)
         for (std::size_t s = 0; s < static_cast<std::size_t>(style.sides); ++s)
             mesh.quad(corners[i][s], corners[i][s + 1], corners[i + 1][s + 1], corners[i + 1][s]);
-    if (style.capStart)
-        addCap(mesh, corners.front(), rings.front(), -pathDirection(rings, 0), true, style);
+    if (style.capStart) addCap(mesh, corners.front(), rings.front(), -pathDirection(rings, 0), true, style);
     if (style.capEnd)
         addCap(mesh, corners.back(), rings.back(), pathDirection(rings, rings.size() - 1), false, style);
 }
@@ -183,7 +187,8 @@ void addBox(Mesh& mesh, const mat4& worldFromBox, const vec3& size, const BoxSty
             const float v0 = size.x * real(static_cast<int>(r)) / real(style.segments);
             const float v1 = size.x * real(static_cast<int>(r + 1)) / real(style.segments);
             const auto corner = [&](std::size_t ring, std::size_t c, float u, float v) {
-                return Corner{rings[ring][c], mesh.addUv(style.uvOffset + style.uvPerMetre * vec2(u, v)), normal};
+                return Corner{rings[ring][c], mesh.addUv(style.uvOffset + style.uvPerMetre * vec2(u, v)),
+                              normal};
             };
             mesh.quad(corner(r, k, across, v0), corner(r, next, across + width, v0),
                       corner(r + 1, next, across + width, v1), corner(r + 1, k, across, v1));
@@ -196,26 +201,39 @@ void addBox(Mesh& mesh, const mat4& worldFromBox, const vec3& size, const BoxSty
         const auto corner = [&](std::size_t c) {
             return Corner{rings[ring][c], mesh.addUv(style.uvOffset + style.uvPerMetre * section[c]), normal};
         };
-        if (start) mesh.quad(corner(3), corner(2), corner(1), corner(0));
-        else mesh.quad(corner(0), corner(1), corner(2), corner(3));
+        if (start)
+            mesh.quad(corner(3), corner(2), corner(1), corner(0));
+        else
+            mesh.quad(corner(0), corner(1), corner(2), corner(3));
     }
 }
 
 IcoSphere icoSphere(int levels)
 {
     const float g = 0.5f * (1.0f + std::sqrt(5.0f));
-    IcoSphere sphere{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}},
-                     {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                      {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
-    for (vec3& p : sphere.positions) p = glm::normalize(p);
+    IcoSphere sphere{{{-1, g, 0},
+                      {1, g, 0},
+                      {-1, -g, 0},
+                      {1, -g, 0},
+                      {0, -1, g},
+                      {0, 1, g},
+                      {0, -1, -g},
+                      {0, 1, -g},
+                      {g, 0, -1},
+                      {g, 0, 1},
+                      {-g, 0, -1},
+                      {-g, 0, 1}},
+                     {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+    for (vec3& p : sphere.positions)
+        p = glm::normalize(p);
     for (int level = 0; level < levels; ++level) {
         std::map<std::pair<int, int>, int> middles;
         const auto middle = [&](int a, int b) {
             const auto key = std::minmax(a, b);
-            const auto [entry, isNew] = middles.try_emplace({key.first, key.second},
-                                                            static_cast<int>(sphere.positions.size()));
+            const auto [entry, isNew] =
+                middles.try_emplace({key.first, key.second}, static_cast<int>(sphere.positions.size()));
             if (isNew)
                 sphere.positions.push_back(glm::normalize(sphere.positions[static_cast<std::size_t>(a)] +
                                                           sphere.positions[static_cast<std::size_t>(b)]));
@@ -238,9 +256,38 @@ std::vector<vec3> smoothNormals(const std::vector<vec3>& positions,
     for (const auto& triangle : triangles) {
         const auto at = [&](std::size_t k) { return positions[static_cast<std::size_t>(triangle[k])]; };
         const vec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
-        for (const int corner : triangle) normals[static_cast<std::size_t>(corner)] += normal;
+        for (const int corner : triangle)
+            normals[static_cast<std::size_t>(corner)] += normal;
     }
-    for (vec3& normal : normals) normal = glm::normalize(normal);
+    for (vec3& normal : normals)
+        normal = glm::normalize(normal);
+    return normals;
+}
+
+std::vector<std::array<vec3, 3>> creasedNormals(const std::vector<vec3>& positions,
+                                                const std::vector<std::array<int, 3>>& triangles,
+                                                float cosine)
+{
+    std::vector<vec3> faceNormals; // their length is twice the area
+    std::vector<std::vector<std::size_t>> facesAt(positions.size());
+    for (std::size_t face = 0; face < triangles.size(); ++face) {
+        const auto at = [&](std::size_t k) {
+            return positions[static_cast<std::size_t>(triangles[face][k])];
+        };
+        faceNormals.push_back(glm::cross(at(1) - at(0), at(2) - at(0)));
+        for (const int corner : triangles[face])
+            facesAt[static_cast<std::size_t>(corner)].push_back(face);
+    }
+    std::vector<std::array<vec3, 3>> normals(triangles.size());
+    for (std::size_t face = 0; face < triangles.size(); ++face) {
+        const vec3 own = glm::normalize(faceNormals[face]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            vec3 sum(0.0f);
+            for (const std::size_t other : facesAt[static_cast<std::size_t>(triangles[face][k])])
+                if (glm::dot(own, glm::normalize(faceNormals[other])) > cosine) sum += faceNormals[other];
+            normals[face][k] = glm::normalize(sum);
+        }
+    }
     return normals;
 }
 
@@ -252,8 +299,10 @@ std::array<vec2, 3> boxUvs(const vec3& a, const vec3& b, const vec3& c, float pe
     std::size_t i = 0;
     for (const vec3& p : {a, b, c}) {
         vec2 uv(p.x, -p.z);
-        if (size.x > size.y && size.x >= size.z) uv = vec2(n.x > 0.0f ? -p.z : p.z, p.y);
-        else if (size.z > size.y) uv = vec2(n.z > 0.0f ? p.x : -p.x, p.y);
+        if (size.x > size.y && size.x >= size.z)
+            uv = vec2(n.x > 0.0f ? -p.z : p.z, p.y);
+        else if (size.z > size.y)
+            uv = vec2(n.z > 0.0f ? p.x : -p.x, p.y);
         uvs[i++] = perMetre * uv;
     }
     return uvs;

@@ -1,5 +1,6 @@
 #include "noise.h"
 
+#include <array>
 #include <initializer_list>
 
 namespace tarn::lake {
@@ -18,8 +19,16 @@ float fade(float t) { return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f); }
 float slope2(std::uint32_t h, float x, float y)
 {
     // 16 directions round the circle, so that no axis shows.
-    const float angle = static_cast<float>(h >> 28) * (2.0f * pi / 16.0f);
-    return std::cos(angle) * x + std::sin(angle) * y;
+    static const std::array<vec2, 16> directions = [] {
+        std::array<vec2, 16> all;
+        for (int i = 0; i < 16; ++i) {
+            const float angle = real(i) * (2.0f * pi / 16.0f);
+            all[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
+        }
+        return all;
+    }();
+    const vec2& direction = directions[h >> 28];
+    return direction.x * x + direction.y * y;
 }
 
 float slope3(std::uint32_t h, float x, float y, float z)
@@ -58,7 +67,8 @@ float Noise::at(vec2 p, ivec2 period) const
     const int x = static_cast<int>(fx), y = static_cast<int>(fy);
     const float dx = p.x - fx, dy = p.y - fy;
     const auto corner = [&](int i, int j) {
-        return slope2(hash(wrap(x + i, period.x), wrap(y + j, period.y), 0, seed_), dx - real(i), dy - real(j));
+        return slope2(hash(wrap(x + i, period.x), wrap(y + j, period.y), 0, seed_), dx - real(i),
+                      dy - real(j));
     };
     const float u = fade(dx), v = fade(dy);
     return 1.4f * mix(mix(corner(0, 0), corner(1, 0), u), mix(corner(0, 1), corner(1, 1), u), v);
@@ -140,7 +150,8 @@ Cell Noise::cell(vec2 p, ivec2 period) const
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
             const int cx = wrap(x + i, period.x), cy = wrap(y + j, period.y);
-            const vec2 feature(real(x + i) + hashUnit(cx, cy, 1, seed_), real(y + j) + hashUnit(cx, cy, 2, seed_));
+            const vec2 feature(real(x + i) + hashUnit(cx, cy, 1, seed_),
+                               real(y + j) + hashUnit(cx, cy, 2, seed_));
             const float distance = glm::length(p - feature);
             if (distance < result.nearest) {
                 result.second = result.nearest;

@@ -1,4 +1,5 @@
-// Random numbers that are the same on every run: the standard library's distributions are not fixed by the standard.
+// Random numbers that are the same on every run: the standard library's distributions are not fixed by the
+// standard.
 #pragma once
 
 #include "base/math.h"

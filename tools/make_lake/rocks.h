@@ -1,5 +1,5 @@
-// Boulders, stones on the bed and the sunken trunk, each where it lies: world space, so that they carry the wet
-// band at the water line and the shade of the ground.
+// Boulders, stones on the bed and the sunken trunk, each where it lies: world space, so that they carry the
+// wet band at the water line and the shade of the ground.
 #pragma once
 
 #include "lake_shape.h"
@@ -13,7 +13,8 @@ struct Boulder {
     vec3 centre;
     vec3 radii;
     float turn;
-    int levels = 2; ///< of icoSphere
+    int levels = 2;    ///< of icoSphere
+    bool crag = false; ///< a block of the cliff, with sharp edges
 };
 
 /// Where boulders lie. Hand-placed ones by the cameras first, then a scatter by kind of shore.

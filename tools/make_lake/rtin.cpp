@@ -7,19 +7,20 @@ namespace tarn::lake {
 Rtin::Rtin(int cells, std::function<float(int, int)> height)
     : cells_(cells), height_(std::move(height)),
       wanted_(static_cast<std::size_t>(cells + 1) * static_cast<std::size_t>(cells + 1), 0)
-{
-}
+{}
 
 void Rtin::mark(const Split& split)
 {
-    // All triangles of the hierarchy, smallest first (their ids run like a heap's). A point that is wanted makes
-    // the points of the two larger triangles above it wanted, so that no neighbour is left with a gap.
+    // All triangles of the hierarchy, smallest first (their ids run like a heap's). A point that is wanted
+    // makes the points of the two larger triangles above it wanted, so that no neighbour is left with a gap.
     const long long smallest = 2LL * cells_ * cells_ - 2, parents = smallest - 1LL * cells_ * cells_;
     for (long long i = smallest - 1; i >= 0; --i) {
         long long id = i + 2;
         ivec2 a(0), b(0), c(0);
-        if (id & 1) b = ivec2(cells_), c.x = cells_;
-        else a = ivec2(cells_), c.y = cells_;
+        if (id & 1)
+            b = ivec2(cells_), c.x = cells_;
+        else
+            a = ivec2(cells_), c.y = cells_;
         while ((id >>= 1) > 1) {
             const ivec2 middle = (a + b) / 2;
             if (id & 1) {

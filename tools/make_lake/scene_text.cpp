@@ -9,19 +9,21 @@ namespace tarn::lake {
 namespace {
 
 constexpr float windDirection = 24.0f; // degrees from +x towards +z
-constexpr float rmsSlope = 0.052f;     // a light breeze: Cox & Munk 1954 give 0.08 for 1 m/s and more
-constexpr int waveCount = 18;
-constexpr float longest = 6.3f, shortest = 0.37f;
+constexpr float rmsSlope = 0.039f;     // a light breeze: Cox & Munk 1954 give 0.08 for 1 m/s and more
+constexpr int waveCount = 20;
+constexpr float longest = 6.3f, shortest = 0.28f;
 
 constexpr const char* header = R"(# Made by make_lake; see README.md in this folder.
 name = "The lake"
 
 [options]
-frame.exposure = 0.1
-reflection.distance = 10.0
+frame.exposure = 0.065
+refraction.steps = 6
+reflection.distance = 4.0
+glow.strength = 0.3
 
 [sun]
-elevation = 40.0
+elevation = 38.5
 azimuth = 48.0
 
 [sky]
@@ -45,8 +47,8 @@ float degrees(float radians)
     return turn < 0.0f ? turn + 360.0f : turn;
 }
 
-/// Components with equal shares of the slope, wavelengths in a geometric row that is shaken so that no two are
-/// in a simple ratio; long ones keep to the wind, short ones stray from it.
+/// Components with equal shares of the slope, wavelengths in a geometric row that is shaken so that no two
+/// are in a simple ratio; long ones keep to the wind, short ones stray from it.
 void appendWaves(std::string& text, Random& random)
 {
     const float ratio = std::pow(shortest / longest, 1.0f / real(waveCount - 1));
@@ -54,7 +56,7 @@ void appendWaves(std::string& text, Random& random)
     std::vector<float> shares;
     for (int i = 0; i < waveCount; ++i) {
         const float t = real(i) / real(waveCount - 1);
-        shares.push_back(mix(0.65f, 1.0f, smoothStep(0.0f, 0.45f, t)));
+        shares.push_back(mix(0.32f, 1.0f, smoothStep(0.0f, 0.55f, t)));
         sum += shares.back() * shares.back();
     }
     for (int i = 0; i < waveCount; ++i) {
@@ -63,7 +65,9 @@ void appendWaves(std::string& text, Random& random)
         const float slope = rmsSlope * shares[static_cast<std::size_t>(i)] / std::sqrt(sum);
         const float amplitude = slope * std::sqrt(2.0f) * wavelength / (2.0f * pi);
         const float stray = mix(38.0f, 85.0f, t) * (i % 2 == 0 ? 1.0f : -1.0f) * std::sqrt(random.unit());
-        fmt::format_to(std::back_inserter(text), "\n[[water.waves]]\namplitude = {:.5f}\nwavelength = {:.4f}\ndirection = {:.2f}\nphase = {:.1f}\n",
+        fmt::format_to(std::back_inserter(text),
+                       "\n[[water.waves]]\namplitude = {:.5f}\nwavelength = {:.4f}\ndirection = "
+                       "{:.2f}\nphase = {:.1f}\n",
                        amplitude, wavelength, windDirection + stray, random.range(0.0f, 360.0f));
     }
 }
@@ -75,7 +79,8 @@ void appendElement(std::string& text, const std::string& name, const std::string
 
 void appendPlace(std::string& text, const vec3& position, float turn, float scale)
 {
-    fmt::format_to(std::back_inserter(text), "translation = {}\nrotation = [0, {:.2f}, 0]\n", point(position), degrees(turn));
+    fmt::format_to(std::back_inserter(text), "translation = {}\nrotation = [0, {:.2f}, 0]\n", point(position),
+                   degrees(turn));
     if (scale != 1.0f) fmt::format_to(std::back_inserter(text), "scale = {:.3f}\n", scale);
 }
 
@@ -88,11 +93,14 @@ std::string sceneText(const SceneParts& parts, Random random)
     const auto model = [&](const std::string& name) {
         fmt::format_to(std::back_inserter(text), "\n[[models]]\nname = \"{0}\"\nfile = \"{0}.obj\"\n", name);
     };
-    for (const std::string& name : parts.placedModels) model(name);
+    for (const std::string& name : parts.placedModels)
+        model(name);
     model("boat");
-    for (const Species& species : *parts.species) model(species.name);
+    for (const Species& species : *parts.species)
+        model(species.name);
 
-    for (const std::string& name : parts.placedModels) appendElement(text, name, name);
+    for (const std::string& name : parts.placedModels)
+        appendElement(text, name, name);
     appendElement(text, "boat", "boat");
     appendPlace(text, vec3(parts.worldFromBoat[3]), parts.boatTurn, 1.0f);
     int number = 0;
@@ -102,8 +110,10 @@ std::string sceneText(const SceneParts& parts, Random random)
         appendPlace(text, tree.foot, tree.turn, tree.scale);
     }
     for (const View& view : *parts.views)
-        fmt::format_to(std::back_inserter(text), "\n[[cameras]]\nname = \"{}\"\neye = {}\ntarget = {}\nfov = {:.1f}\nnear = 0.1\nfar = 1300.0\n",
-                       view.name, point(view.eye), point(view.target), view.fov);
+        fmt::format_to(
+            std::back_inserter(text),
+            "\n[[cameras]]\nname = \"{}\"\neye = {}\ntarget = {}\nfov = {:.1f}\nnear = 0.1\nfar = 1300.0\n",
+            view.name, point(view.eye), point(view.target), view.fov);
     return text;
 }
 

@@ -7,7 +7,7 @@
 namespace tarn::lake {
 
 struct SceneParts {
-    std::vector<std::string> placedModels;  ///< OBJ files in world space, without extension
+    std::vector<std::string> placedModels; ///< OBJ files in world space, without extension
     std::vector<Species> const* species = nullptr;
     std::vector<StandingTree> const* trees = nullptr;
     std::vector<View> const* views = nullptr;

@@ -1,5 +1,7 @@
 #include "textures.h"
 
+#include <vector>
+
 namespace tarn::lake {
 
 namespace {
@@ -12,7 +14,8 @@ constexpr float edge = 2.0f * textureSize;
 vec2 towards(float turn) { return {std::cos(turn), std::sin(turn)}; }
 
 /// A pointed leaf from its stalk along `turn`, lighter along the midrib and edges, folded a little.
-void drawLeaf(Canvas& canvas, vec2 stalk, float turn, float length, float width, const vec3& colour, float light)
+void drawLeaf(Canvas& canvas, vec2 stalk, float turn, float length, float width, const vec3& colour,
+              float light)
 {
     const vec2 axis = towards(turn);
     const vec2 centre = stalk + 0.5f * length * axis;
@@ -22,7 +25,8 @@ void drawLeaf(Canvas& canvas, vec2 stalk, float turn, float length, float width,
         [&](vec2 d) {
             const vec2 q = local(d);
             const float t = saturate(q.x / length + 0.5f);
-            const float half = 0.5f * width * std::pow(std::max(0.0f, std::sin(pi * std::pow(t, 0.8f))), 0.85f);
+            const float half =
+                0.5f * width * std::pow(std::max(0.0f, std::sin(pi * std::pow(t, 0.8f))), 0.85f);
             return std::min(half - std::abs(q.y), 0.5f * length - std::abs(q.x));
         },
         [&](vec2 d) {
@@ -34,32 +38,57 @@ void drawLeaf(Canvas& canvas, vec2 stalk, float turn, float length, float width,
         });
 }
 
-Canvas drawLeaves(std::uint32_t seed)
+/// Leaves on alternate sides of a twig.
+void drawSpray(Canvas& canvas, Random& random, const std::vector<vec2>& twig, float light)
 {
-    Random random(seed, 41);
-    Canvas canvas(drawnSize, Canvas::Edge::cut);
-    // Twigs from the middle outward; leaves from the deep and dark ones to the light ones on top.
-    for (int twig = 0; twig < 11; ++twig) {
-        float turn = random.angle();
-        vec2 a(0.5f * edge);
-        for (int k = 0; k < 5; ++k) {
-            turn += 0.35f * random.sign();
-            const vec2 b = a + 0.075f * edge * towards(turn);
-            canvas.stroke(a, b, 7.0f - real(k), 6.0f - real(k), vec3(0.075f, 0.055f, 0.035f));
-            a = b;
+    for (std::size_t k = 0; k + 1 < twig.size(); ++k) {
+        const vec2 along = twig[k + 1] - twig[k];
+        const float turn = std::atan2(along.y, along.x);
+        for (const float side : {-1.0f, 1.0f}) {
+            const float hue = random.unit(), length = random.range(88.0f, 132.0f);
+            const vec3 colour = mix(vec3(0.050f, 0.100f, 0.022f), vec3(0.092f, 0.148f, 0.033f), hue * hue);
+            drawLeaf(canvas, twig[k] + random.unit() * along, turn + side * random.range(0.5f, 1.15f), length,
+                     length * random.range(0.46f, 0.6f), colour, light * random.range(0.8f, 1.1f));
         }
     }
-    constexpr int count = 400;
-    for (int i = 0; i < count; ++i) {
-        const float depth = real(i) / real(count);
-        const float around = random.angle();
-        const float reach = std::sqrt(random.unit()) * (0.375f + 0.04f * std::sin(5.0f * around + 1.0f) + 0.025f * std::sin(9.0f * around));
-        const vec2 stalk = vec2(0.5f * edge) + edge * reach * towards(around);
-        const float turn = around + 0.9f * random.sign();
-        const float length = random.range(150.0f, 215.0f) * (1.0f - 0.25f * depth * random.unit());
-        const float hue = random.unit();
-        const vec3 colour = mix(vec3(0.085f, 0.165f, 0.028f), vec3(0.155f, 0.215f, 0.045f), hue * hue);
-        drawLeaf(canvas, stalk, turn, length, length * random.range(0.46f, 0.6f), colour, 0.42f + 0.72f * depth);
+}
+
+std::vector<vec2> growTwig(Random& random, vec2 start, float turn, float length, float bend)
+{
+    std::vector<vec2> twig{start};
+    const int steps = std::max(2, static_cast<int>(length / 66.0f));
+    for (int k = 0; k < steps; ++k) {
+        turn += bend / real(steps) + 0.10f * random.sign();
+        twig.push_back(twig.back() + length / real(steps) * towards(turn));
+    }
+    return twig;
+}
+
+Canvas drawLeaves(std::uint32_t seed)
+{
+    // Sprays that leave gaps: a clump seen from afar must not close up into a disc. Dark sprays first.
+    Random random(seed, 41);
+    Canvas canvas(drawnSize, Canvas::Edge::cut);
+    for (int layer = 0; layer < 3; ++layer) {
+        const float light = 0.50f + 0.28f * real(layer);
+        constexpr int sprays = 6;
+        for (int i = 0; i < sprays; ++i) {
+            const float turn =
+                2.0f * pi * (real(i) + 0.33f * real(layer) + 0.5f * random.unit()) / real(sprays);
+            const vec2 start = vec2(0.5f * edge) + 0.012f * edge * towards(turn);
+            const auto twig =
+                growTwig(random, start, turn, edge * random.range(0.26f, 0.40f), 0.7f * random.sign());
+            for (std::size_t k = 0; k + 1 < twig.size(); ++k)
+                canvas.stroke(twig[k], twig[k + 1], 5.0f, 4.0f, vec3(0.075f, 0.055f, 0.035f));
+            for (std::size_t k = 1; k + 1 < twig.size(); k += 2) {
+                const vec2 along = twig[k + 1] - twig[k];
+                const float side = (k / 2) % 2 == 0 ? 0.8f : -0.8f;
+                const auto small = growTwig(random, twig[k], std::atan2(along.y, along.x) + side,
+                                            edge * random.range(0.07f, 0.13f), 0.3f * random.sign());
+                drawSpray(canvas, random, small, light);
+            }
+            drawSpray(canvas, random, twig, light);
+        }
     }
     return canvas.halved();
 }
@@ -87,45 +116,54 @@ Canvas drawSpruceBranch(std::uint32_t seed)
     const vec3 bark(0.085f, 0.058f, 0.036f);
     const vec2 base(0.5f * edge, edge), tip(0.5f * edge, 0.035f * edge);
     canvas.stroke(base, tip, 15.0f, 4.0f, bark);
-    constexpr int pairs = 17;
+    constexpr int pairs = 13;
     for (int layer = 0; layer < 2; ++layer) { // shaded needles first, lit ones over them
         for (int i = 0; i < 2 * pairs; ++i) {
             const float t = 0.02f + 0.95f * (real(i / 2) + 0.7f * random.unit()) / real(pairs);
             const float side = i % 2 == 0 ? 1.0f : -1.0f;
-            const float reach = edge * (0.50f * std::pow(1.0f - t, 0.7f) + 0.03f) * random.range(0.82f, 1.04f) * smoothStep(-0.14f, 0.1f, t);
+            const float reach = edge * (0.56f * std::pow(1.0f - t, 0.85f) + 0.035f) *
+                                random.range(0.82f, 1.04f) * smoothStep(-0.14f, 0.1f, t);
             const vec2 start = mix(0.0f, 1.0f, t) * (tip - base) + base;
-            float turn = -0.5f * pi + side * random.range(1.0f, 1.3f);
+            float turn = -0.5f * pi + side * random.range(0.85f, 1.12f);
             const int steps = std::max(2, static_cast<int>(reach / 90.0f));
             vec2 a = start;
             const float young = 0.75f + 0.35f * t;
-            const vec3 green = mix(vec3(0.032f, 0.062f, 0.022f), vec3(0.078f, 0.125f, 0.042f), layer == 0 ? 0.15f : random.range(0.35f, 1.0f)) * young;
+            const vec3 green = mix(vec3(0.032f, 0.062f, 0.022f), vec3(0.078f, 0.125f, 0.042f),
+                                   layer == 0 ? 0.15f : random.range(0.35f, 1.0f)) *
+                               young;
             for (int k = 0; k < steps; ++k) {
                 turn -= side * 0.055f;
                 const vec2 b = a + reach / real(steps) * towards(turn);
                 canvas.stroke(a, b, 5.0f, 3.5f, bark);
-                drawNeedles(canvas, random, a, b, 50.0f, green * (1.0f + 0.5f * real(k) / real(steps)));
+                drawNeedles(canvas, random, a, b, 46.0f, green * (1.0f + 0.5f * real(k) / real(steps)));
                 if (k > 0 && k + 1 < steps)
                     for (const float twist : {-1.0f, 1.0f}) {
-                        const vec2 end = a + 0.26f * reach * (1.0f - 0.6f * real(k) / real(steps)) * towards(turn + twist * 0.75f);
-                        drawNeedles(canvas, random, a, end, 40.0f, green * 0.95f);
+                        const vec2 end = a + 0.21f * reach * (1.0f - 0.6f * real(k) / real(steps)) *
+                                                 towards(turn + twist * 0.75f);
+                        drawNeedles(canvas, random, a, end, 36.0f, green * 0.95f);
                     }
                 a = b;
             }
         }
-        drawNeedles(canvas, random, mix(0.0f, 1.0f, 0.05f) * (tip - base) + base, tip, 62.0f, vec3(0.06f, 0.10f, 0.035f));
+        drawNeedles(canvas, random, mix(0.0f, 1.0f, 0.05f) * (tip - base) + base, tip, 62.0f,
+                    vec3(0.06f, 0.10f, 0.035f));
     }
     return canvas.halved();
 }
 
 /// A blade that bends to one side as it rises.
-void drawBlade(Canvas& canvas, vec2 root, float height, float lean, float bend, float width, const vec3& low, const vec3& high)
+void drawBlade(Canvas& canvas, vec2 root, float height, float lean, float bend, float width, const vec3& low,
+               const vec3& high)
 {
     constexpr int steps = 14;
     vec2 a = root;
     for (int k = 0; k < steps; ++k) {
         const float t = real(k + 1) / real(steps), before = real(k) / real(steps);
         const vec2 b(root.x + height * (lean * t + bend * t * t), root.y - height * t);
-        const auto radius = [&](float s) { return 0.5f * width * (0.75f + 0.5f * std::sin(pi * std::min(1.0f, s + 0.15f))) * (1.0f - 0.85f * s * s * s); };
+        const auto radius = [&](float s) {
+            return 0.5f * width * (0.75f + 0.5f * std::sin(pi * std::min(1.0f, s + 0.15f))) *
+                   (1.0f - 0.85f * s * s * s);
+        };
         canvas.stroke(a, b, radius(before), radius(t), mix(low, high, t));
         a = b;
     }
@@ -144,14 +182,16 @@ Canvas drawReeds(std::uint32_t seed)
         const vec3 high = tone * mix(vec3(0.13f, 0.20f, 0.05f), vec3(0.30f, 0.24f, 0.12f), dry);
         const vec3 low = tone * mix(vec3(0.10f, 0.12f, 0.045f), vec3(0.20f, 0.16f, 0.09f), dry);
         const float lean = 0.10f * random.sign(), bend = 0.14f * random.sign();
-        drawBlade(canvas, root, height, lean, plumed ? 0.3f * bend : bend, plumed ? 17.0f : random.range(24.0f, 40.0f), low, high);
+        drawBlade(canvas, root, height, lean, plumed ? 0.3f * bend : bend,
+                  plumed ? 17.0f : random.range(24.0f, 40.0f), low, high);
         if (!plumed) continue;
         const vec2 top(root.x + height * (lean + 0.3f * bend), root.y - height);
         for (int k = 0; k < 150; ++k) {
             const float t = random.unit();
             const vec2 a = top + vec2(5.0f * random.sign(), 190.0f * (1.0f - t) - 140.0f);
             const float turn = -0.5f * pi + 0.75f * random.sign();
-            canvas.stroke(a, a + random.range(25.0f, 58.0f) * (1.1f - t) * towards(turn), 4.5f, 2.0f, random.range(0.6f, 1.1f) * vec3(0.21f, 0.135f, 0.085f));
+            canvas.stroke(a, a + random.range(25.0f, 58.0f) * (1.1f - t) * towards(turn), 4.5f, 2.0f,
+                          random.range(0.6f, 1.1f) * vec3(0.21f, 0.135f, 0.085f));
         }
     }
     return canvas.halved();
@@ -168,8 +208,9 @@ Canvas drawBlades(std::uint32_t seed)
         const float spread = 0.8f * (across - 0.5f) + 0.12f * random.sign();
         const float height = edge * random.range(0.35f, 0.9f) * (1.0f - 0.6f * std::abs(across - 0.5f));
         const float dry = random.unit() < 0.12f ? 1.0f : 0.3f * random.unit();
-        const vec3 high = tone * mix(vec3(0.135f, 0.20f, 0.045f), vec3(0.33f, 0.27f, 0.13f), dry);
-        drawBlade(canvas, root, height, 0.5f * spread, 0.9f * spread, random.range(26.0f, 44.0f), 0.45f * high, high);
+        const vec3 high = tone * mix(vec3(0.110f, 0.150f, 0.036f), vec3(0.27f, 0.22f, 0.11f), dry);
+        drawBlade(canvas, root, height, 0.5f * spread, 0.9f * spread, random.range(26.0f, 44.0f),
+                  0.45f * high, high);
     }
     return canvas.halved();
 }
@@ -179,7 +220,8 @@ Canvas drawBlades(std::uint32_t seed)
 FoliageTextures drawFoliage(std::uint32_t seed)
 {
     FoliageTextures textures{drawLeaves(seed), drawSpruceBranch(seed), drawReeds(seed), drawBlades(seed)};
-    for (Canvas* canvas : {&textures.leaves, &textures.needles, &textures.reeds, &textures.blades}) canvas->bleed();
+    for (Canvas* canvas : {&textures.leaves, &textures.needles, &textures.reeds, &textures.blades})
+        canvas->bleed();
     return textures;
 }
 

@@ -10,20 +10,20 @@ namespace tarn::lake {
 
 struct SpruceShape {
     float height = 13.0f;
-    float spread = 0.2f;   ///< radius of the crown at its foot, per height
-    float clear = 0.06f;   ///< height of the lowest branches, per height
+    float spread = 0.2f; ///< radius of the crown at its foot, per height
+    float clear = 0.06f; ///< height of the lowest branches, per height
     int branches = 84;
 };
 Mesh makeSpruce(const SpruceShape& shape, Random random);
 
 struct BroadShape {
     float height = 10.0f;
-    float spread = 0.36f;     ///< radius of the crown, per height
-    float fork = 0.28f;       ///< where the trunk divides, per height
+    float spread = 0.36f; ///< radius of the crown, per height
+    float fork = 0.28f;   ///< where the trunk divides, per height
     int limbs = 6;
     int twigsPerLimb = 3;
     int cardsPerClump = 8;
-    float clump = 0.16f;      ///< radius of a clump of leaves, per height
+    float clump = 0.16f; ///< radius of a clump of leaves, per height
     float droop = 0.0f;
     bool birch = false;
     vec3 tint{1.0f};

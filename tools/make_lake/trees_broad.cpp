@@ -19,7 +19,8 @@ struct Crown {
 };
 
 /// A square of leaves; `out` is the way it faces, more or less.
-void addCard(Mesh& mesh, const Crown& crown, const vec3& centre, const vec3& out, float size, const vec3& tint, Random& random)
+void addCard(Mesh& mesh, const Crown& crown, const vec3& centre, const vec3& out, float size,
+             const vec3& tint, Random& random)
 {
     const vec3 facing = glm::normalize(out + 0.75f * random.direction());
     vec3 side = glm::cross(facing, std::abs(facing.y) > 0.95f ? vec3(1, 0, 0) : upward);
@@ -28,36 +29,47 @@ void addCard(Mesh& mesh, const Crown& crown, const vec3& centre, const vec3& out
     const float roll = random.angle(), half = 0.5f * size;
     const vec3 u = half * (std::cos(roll) * side + std::sin(roll) * other), v = glm::cross(facing, u);
     const bool mirrored = random.unit() < 0.5f;
+    const vec3 tone = tint * random.range(0.80f, 1.06f), stray = 0.3f * random.direction();
     const auto corner = [&](float a, float b) {
         const vec3 p = centre + a * u + b * v;
         const vec3 fromCrown = glm::normalize((p - crown.centre) / crown.radii);
         const float deep = smoothStep(0.25f, 1.05f, crown.depth(p));
-        const float low = mix(0.62f, 1.0f, smoothStep(-0.9f, 0.5f, fromCrown.y * crown.depth(p)));
-        const vec3 normal = 0.75f * fromCrown + 0.45f * out + 0.2f * upward;
-        return mesh.add(p, normal, {0.5f + (mirrored ? -0.5f : 0.5f) * a, 0.5f + 0.5f * b}, tint * (mix(0.30f, 1.0f, deep) * low));
+        const float low = mix(0.72f, 1.0f, smoothStep(-0.9f, 0.5f, fromCrown.y * crown.depth(p)));
+        const vec3 normal = 0.6f * fromCrown + 0.45f * out + 0.45f * upward + stray;
+        const float ownShade =
+            mix(0.70f, 1.0f, smoothStep(-0.8f, 0.6f, glm::dot(out, glm::normalize(fromCrown + upward))));
+        return mesh.add(p, normal, {0.5f + (mirrored ? -0.5f : 0.5f) * a, 0.5f + 0.5f * b},
+                        tone * (mix(0.40f, 1.0f, deep) * low * ownShade));
     };
     const Corner a = corner(-1, -1), b = corner(1, -1), c = corner(1, 1), d = corner(-1, 1);
     mesh.quad(a, b, c, d);
 }
 
-void addClump(Mesh& mesh, const Crown& crown, const Clump& clump, int cards, float size, const vec3& tint, Random& random)
+void addClump(Mesh& mesh, const Crown& crown, const Clump& clump, int cards, float size, const vec3& tint,
+              Random& random)
 {
-    const vec3 tone = tint * random.range(0.86f, 1.08f);
+    const vec3 tone = tint * random.range(0.82f, 1.1f);
     for (int k = 0; k < cards; ++k) {
         // Evenly round the clump, fewer underneath.
         const float y = 1.0f - 1.7f * (real(k) + 0.5f) / real(cards);
-        const float turn = 2.39996f * real(k) + random.angle() * 0.15f, r = std::sqrt(std::max(0.0f, 1.0f - y * y));
+        const float turn = 2.39996f * real(k) + random.angle() * 0.15f,
+                    r = std::sqrt(std::max(0.0f, 1.0f - y * y));
         const vec3 out(r * std::cos(turn), y, r * std::sin(turn));
-        addCard(mesh, crown, clump.centre + 0.72f * clump.radius * out * vec3(1.0f, 0.8f, 1.0f), out, size * random.range(0.85f, 1.2f), tone, random);
+        addCard(mesh, crown,
+                clump.centre + random.range(0.45f, 1.1f) * clump.radius * out * vec3(1.0f, 0.8f, 1.0f), out,
+                size * random.range(0.8f, 1.2f), tone, random);
     }
 }
 
 /// A bent bar from a to b that sags or rises in the middle.
-void addLimb(Mesh& mesh, const vec3& a, const vec3& b, float radiusA, float radiusB, float bend, int sides, float light)
+void addLimb(Mesh& mesh, const vec3& a, const vec3& b, float radiusA, float radiusB, float bend, int sides,
+             float light)
 {
     std::vector<TubeRing> rings;
-    for (const float t : {0.0f, 0.4f, 1.0f})
+    for (const float t : {0.0f, 0.45f, 1.0f}) {
+        if (sides < 4 && t > 0.0f && t < 1.0f) continue; // twigs are straight
         rings.push_back({mix(a, b, t) + vec3(0.0f, bend * t * (1.0f - t), 0.0f), mix(radiusA, radiusB, t)});
+    }
     TubeStyle style{.sides = sides, .uvRound = 0.5f, .uvPerMetre = 0.6f, .capStart = false, .capEnd = false};
     style.colour = [light](const vec3&) { return vec3(light); };
     addTube(mesh, rings, style);
@@ -103,14 +115,17 @@ Mesh makeBroadleaf(const BroadShape& shape, Random random)
         const vec3 end = start + reach * out + vec3(0.0f, h * (mix(0.14f, 0.20f, s) - shape.droop), 0.0f);
         const float radius = foot * mix(0.48f, 0.25f, s);
         addLimb(mesh, start, end, radius, 0.35f * radius, (shape.birch ? 0.08f : -0.03f) * h, 5, 0.55f);
-        clumps.push_back({end, shape.clump * h * random.range(0.85f, 1.1f)});
+        clumps.push_back({end, shape.clump * h * random.range(0.75f, 1.15f)});
         for (int twig = 0; twig < shape.twigsPerLimb; ++twig) {
             const float t = 0.45f + 0.45f * real(twig) / real(shape.twigsPerLimb);
             const float swing = turn + (twig % 2 == 0 ? 0.8f : -0.8f) + 0.3f * random.sign();
             const vec3 from = mix(start, end, t);
-            const vec3 to = from + 0.55f * reach * vec3(std::cos(swing), 0.35f - 2.0f * shape.droop + 0.25f * random.sign(), std::sin(swing));
+            const vec3 to =
+                from + 0.55f * reach *
+                           vec3(std::cos(swing), 0.35f - 2.0f * shape.droop + 0.25f * random.sign(),
+                                std::sin(swing));
             addLimb(mesh, from, to, 0.4f * radius, 0.12f * radius, 0.0f, 3, 0.5f);
-            clumps.push_back({to, shape.clump * h * random.range(0.75f, 1.0f)});
+            clumps.push_back({to, shape.clump * h * random.range(0.6f, 1.0f)});
         }
     }
     mesh.use("leaves");
@@ -126,7 +141,9 @@ Mesh makeBush(float size, const vec3& tint, Random random)
     const Crown crown{{0.0f, 0.3f * size, 0.0f}, vec3(0.75f, 0.72f, 0.75f) * size};
     for (int k = 0; k < 5; ++k) {
         const float turn = 2.39996f * real(k) + 0.5f * random.sign(), reach = (k == 0 ? 0.0f : 0.42f) * size;
-        const Clump clump{{reach * std::cos(turn), size * random.range(0.3f, 0.5f) * (k == 0 ? 1.35f : 1.0f), reach * std::sin(turn)}, 0.42f * size};
+        const Clump clump{{reach * std::cos(turn), size * random.range(0.3f, 0.5f) * (k == 0 ? 1.35f : 1.0f),
+                           reach * std::sin(turn)},
+                          0.42f * size};
         addClump(mesh, crown, clump, 7, 0.72f * size, tint, random);
     }
     return mesh;

@@ -6,14 +6,15 @@ namespace {
 
 constexpr vec3 upward{0.0f, 1.0f, 0.0f};
 
-/// One branch: a strip of two by two (or two by one) quads like a gable roof, its ridge drooping towards the tip.
+/// One branch: a strip of two by two (or two by one) quads like a gable roof, its ridge drooping towards the
+/// tip.
 struct Branch {
     vec3 foot;
-    vec3 outward;    ///< horizontal, unit
+    vec3 outward; ///< horizontal, unit
     float length, width;
-    float rise;      ///< slope at the trunk
-    float droop;     ///< how far the tip hangs below that line, per length
-    float light;     ///< of the whole branch
+    float rise;  ///< slope at the trunk
+    float droop; ///< how far the tip hangs below that line, per length
+    float light; ///< of the whole branch
     int rows = 2;
 };
 
@@ -23,21 +24,26 @@ void addBranch(Mesh& mesh, const Branch& branch)
     std::vector<std::array<Corner, 3>> rows;
     for (int row = 0; row <= branch.rows; ++row) {
         const float t = real(row) / real(branch.rows);
-        const vec3 ridge = branch.foot + branch.length * (t * branch.outward + (branch.rise * t - branch.droop * t * t) * upward);
+        const vec3 ridge = branch.foot + branch.length * (t * branch.outward +
+                                                          (branch.rise * t - branch.droop * t * t) * upward);
         const float light = branch.light * mix(0.34f, 1.0f, smoothStep(0.0f, 0.85f, t));
         std::array<Corner, 3> corners;
         for (int column = -1; column <= 1; ++column) {
             const float across = real(column);
-            const vec3 position = ridge + 0.5f * branch.width * (across * side - std::abs(across) * 0.42f * upward);
-            const vec3 normal = 0.75f * branch.outward * (0.4f + 0.6f * t) + 0.55f * upward + 0.5f * across * side;
+            const vec3 position =
+                ridge + 0.5f * branch.width * (0.9f * across * side - std::abs(across) * 0.72f * upward);
+            const vec3 normal =
+                0.75f * branch.outward * (0.4f + 0.6f * t) + 0.55f * upward + 0.5f * across * side;
             corners[static_cast<std::size_t>(column + 1)] =
-                mesh.add(position, normal, {0.5f + 0.5f * across, 0.02f + 0.97f * t}, vec3(light * (column == 0 ? 1.0f : 0.92f)));
+                mesh.add(position, normal, {0.5f + 0.5f * across, 0.02f + 0.97f * t},
+                         vec3(light * (column == 0 ? 1.0f : 0.92f)));
         }
         rows.push_back(corners);
     }
     for (std::size_t row = 0; row + 1 < rows.size(); ++row)
         for (std::size_t column = 0; column < 2; ++column)
-            mesh.quad(rows[row][column], rows[row][column + 1], rows[row + 1][column + 1], rows[row + 1][column]);
+            mesh.quad(rows[row][column], rows[row][column + 1], rows[row + 1][column + 1],
+                      rows[row + 1][column]);
 }
 
 void addLeader(Mesh& mesh, float height, float length)
@@ -85,7 +91,8 @@ Mesh makeSpruce(const SpruceShape& shape, Random random)
     for (int k = 0; k < shape.branches; ++k) {
         // Closer together towards the top, as the years' growth gets shorter; turned by the golden angle.
         const float s = real(k) / real(shape.branches);
-        const float t = shape.clear + (0.955f - shape.clear) * (1.0f - std::pow(1.0f - s, 1.35f)) + 0.008f * random.sign();
+        const float t = shape.clear + (0.955f - shape.clear) * (1.0f - std::pow(1.0f - s, 1.25f)) +
+                        0.008f * random.sign();
         turn += 2.39996f + 0.25f * random.sign();
         const float up = (t - shape.clear) / (1.0f - shape.clear);
         const float profile = std::pow(1.0f - up, 0.86f) * (1.0f - 0.25f * smoothStep(0.16f, 0.0f, up));
@@ -94,11 +101,11 @@ Mesh makeSpruce(const SpruceShape& shape, Random random)
         branch.foot = {0.0f, t * shape.height, 0.0f};
         branch.outward = {std::cos(turn), 0.0f, std::sin(turn)};
         branch.length = length;
-        branch.width = std::min(length * random.range(0.78f, 0.98f), 0.34f * length + 0.75f);
+        branch.width = std::min(length * random.range(0.85f, 1.05f), 0.40f * length + 0.75f);
         branch.rise = mix(0.02f, 0.75f, up * up) + 0.10f * random.sign();
         branch.droop = mix(0.50f, 0.22f, up) * random.range(0.7f, 1.2f);
         branch.light = mix(0.66f, 1.0f, smoothStep(0.0f, 0.75f, up)) * random.range(0.85f, 1.05f);
-        branch.rows = up < 0.62f ? 2 : 1;
+        branch.rows = up < 0.34f ? 2 : 1;
         addBranch(mesh, branch);
     }
     addLeader(mesh, shape.height, 0.085f * shape.height + 0.25f);

@@ -11,13 +11,15 @@ namespace tarn::lake {
 struct View {
     std::string name;
     vec3 eye, target;
-    float fov;             ///< vertical, degrees
-    float clearing = 14.0f; ///< no tree, tuft or bush in the picture's cone nearer than this, m
+    float fov;                ///< vertical, degrees
+    float clearing = 14.0f;   ///< no tree in the picture's cone nearer than this, m
+    float lowClearing = 3.0f; ///< the same for grass, reeds and stones
 };
 
 std::vector<View> views(const LakeShape& shape);
 
 /// True when something of `radius` at p would stand in a view's way.
-bool blocksView(const std::vector<View>& all, vec2 p, float radius);
+enum class Growth { tall, low };
+bool blocksView(const std::vector<View>& all, vec2 p, float radius, Growth growth = Growth::tall);
 
 } // namespace tarn::lake

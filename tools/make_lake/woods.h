@@ -12,7 +12,7 @@ namespace tarn::lake {
 struct Species {
     std::string name;
     Mesh mesh;
-    float crown;  ///< radius, m
+    float crown; ///< radius, m
     bool conifer;
 };
 std::vector<Species> growSpecies(std::uint32_t seed);

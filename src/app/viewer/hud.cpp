@@ -88,7 +88,8 @@ void drawLoading(const SharedProgress::State& state, float scale)
         ImGui::ProgressBar(static_cast<float>(state.fraction), {-1.0f, 0.0f});
         const std::string left =
             state.secondsLeft >= 0.0 ? fmt::format("{:.0f} s left  ", state.secondsLeft) : "";
-        ImGui::TextWrapped("%s%s", left.c_str(), state.what.c_str());
+        // Of a path only the name: folders would fill the line and hide it.
+        text(left + state.what.substr(state.what.rfind('/') + 1));
     }
     ImGui::End();
 }

@@ -17,7 +17,9 @@ public:
     explicit PresentPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
     /// @param source linear; for a debug view its raw values
-    const gl::Target& draw(const gl::Texture& source, const FrameOptions& options, DebugView view);
+    /// @param glow added on the display's scale; null for none
+    const gl::Target& draw(const gl::Texture& source, const gl::Texture* glow, const FrameOptions& options,
+                           DebugView view);
     const gl::Target& target() const { return target_; }
 
 private:

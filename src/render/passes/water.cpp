@@ -2,39 +2,7 @@
 
 #include "gl/state.h"
 
-#include <vector>
-
 namespace tarn {
-
-void WaterPass::ensureGrid(int size)
-{
-    if (size == gridSize_) return;
-    std::vector<vec2> vertices;
-    vertices.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-    for (int z = 0; z < size; ++z)
-        for (int x = 0; x < size; ++x)
-            vertices.emplace_back(2.0f * static_cast<float>(x) / static_cast<float>(size - 1) - 1.0f,
-                                  2.0f * static_cast<float>(z) / static_cast<float>(size - 1) - 1.0f);
-    std::vector<std::uint32_t> indices;
-    indices.reserve(static_cast<std::size_t>(size - 1) * static_cast<std::size_t>(size - 1) * 6);
-    for (int z = 0; z + 1 < size; ++z) {
-        for (int x = 0; x + 1 < size; ++x) {
-            const auto corner = static_cast<std::uint32_t>(z * size + x);
-            const auto below = corner + static_cast<std::uint32_t>(size);
-            for (const std::uint32_t index : {corner, below, corner + 1, corner + 1, below, below + 1})
-                indices.push_back(index);
-        }
-    }
-    vertices_ = gl::Buffer("water grid vertices");
-    vertices_.upload(std::span<const vec2>(vertices));
-    indices_ = gl::Buffer("water grid indices");
-    indices_.upload(std::span<const std::uint32_t>(indices));
-    grid_ = gl::VertexArray("water grid");
-    grid_.attributes(vertices_, sizeof(vec2), {{0, 2, 0}});
-    grid_.indices(indices_);
-    gridSize_ = size;
-    indexCount_ = static_cast<int>(indices.size());
-}
 
 namespace {
 
@@ -66,10 +34,9 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     return *program;
 }
 
-void WaterPass::draw(const gl::Target& frame, const Options& options, const Inputs& inputs,
+void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& options, const Inputs& inputs,
                      FrameStats::Pass& stats)
 {
-    ensureGrid(options.water.gridSize);
     gl::apply({});
     frame.bind();
     gl::Program& p = program(options, inputs);
@@ -95,9 +62,7 @@ void WaterPass::draw(const gl::Target& frame, const Options& options, const Inpu
         p.set("reflectionClipFromWorld", inputs.reflectionView->clipFromWorld());
         p.set("reflectionDistance", inputs.underwater ? options.underwater.distance : options.reflection.distance);
     }
-    grid_.drawIndexed(gl::Primitive::triangles, 0, indexCount_);
-    stats.triangles += static_cast<std::size_t>(indexCount_) / 3;
-    ++stats.drawCalls;
+    grid.draw(options.water.gridSize, stats);
 }
 
 } // namespace tarn

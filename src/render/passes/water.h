@@ -3,10 +3,10 @@
 
 #include "gl/shader_library.h"
 #include "gl/target.h"
-#include "gl/vertex_array.h"
 #include "plan/options.h"
 #include "render/renderer.h"
 #include "render/view.h"
+#include "render/water_grid.h"
 
 #include <map>
 #include <memory>
@@ -31,17 +31,13 @@ public:
     gl::Program& program(const Options& options, const Inputs& inputs);
 
     /// Draws over what the frame's target holds, with its depth.
-    void draw(const gl::Target& frame, const Options& options, const Inputs& inputs, FrameStats::Pass& stats);
+    void draw(const gl::Target& frame, WaterGrid& grid, const Options& options, const Inputs& inputs,
+              FrameStats::Pass& stats);
 
 private:
-    void ensureGrid(int size);
 
     gl::ShaderLibrary& shaders_;
     std::map<gl::Defines, std::shared_ptr<gl::Program>> programs_;
-    int gridSize_ = 0;
-    int indexCount_ = 0;
-    gl::Buffer vertices_, indices_;
-    gl::VertexArray grid_;
 };
 
 } // namespace tarn

@@ -1,0 +1,26 @@
+// The sun's highlight on the water, in a small target (Mihálik 2008, section 9.3).
+#include "shared/blocks.glsl"
+#include "shared/refraction.glsl"
+#include "shared/waves.glsl"
+#include "shared/depth.glsl"
+#include "passes/water_surface.glsl"
+
+uniform sampler2D sceneDepth;
+uniform vec3 glowColour;
+uniform float glowExponent;
+
+out vec4 fragment;
+
+void main()
+{
+    // The small target has no depth of its own. A texel of the picture's depth stands for several fragments here, so
+    // only what is clearly nearer than the water hides it.
+    float seen = -viewZFromDepth(texture(sceneDepth, gl_FragCoord.xy / pixels).r, nearPlane, farPlane);
+    float here = -viewZFromDepth(gl_FragCoord.z, nearPlane, farPlane);
+    if (seen < 0.95 * here - 0.1) discard;
+
+    vec3 toEye = normalize(eye - surfaceW);
+    vec3 mirrored = reflectRay(-sunDirection, surfaceHere().normal);
+    float highlight = pow(max(dot(mirrored, toEye), 1.0e-6), glowExponent); // 0 to a power is undefined in GLSL
+    fragment = vec4(highlight * glowColour, 1.0);
+}
