@@ -80,7 +80,7 @@ void visit(FieldVisitor& v, ReflectionOptions& o)
 
 void visit(FieldVisitor& v, CausticsOptions& o)
 {
-    v.field({"enabled", "Light gathered by the waves on what lies under water"}, o.enabled);
+    v.field({"enabled", "Light gathered by the waves on what lies under water (no effect yet: the pass is still to come)"}, o.enabled);
 }
 
 void visit(FieldVisitor& v, UnderwaterOptions& o)
