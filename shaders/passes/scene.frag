@@ -30,6 +30,9 @@ uniform vec3 emittedRadiance;
 uniform vec3 specularReflectance;
 uniform float shininess;
 #endif
+#ifdef TRANSMISSION
+uniform vec3 transmission; // of a thin leaf, as a share of its reflectance
+#endif
 #ifdef ALPHA_TEST
 uniform float alpha;
 uniform float alphaCutoff;
@@ -61,6 +64,9 @@ vec3 lit(vec3 n, vec3 toEye, vec3 light, vec3 irradiance, vec3 albedo)
 {
     float cosine = max(dot(n, light), 0.0);
     vec3 radiance = albedo / lightPi * cosine * irradiance;
+#ifdef TRANSMISSION
+    radiance += albedo * transmission / lightPi * max(-dot(n, light), 0.0) * irradiance;
+#endif
 #ifdef SPECULAR
     radiance += specularReflectance * irradiance * cosine * blinnPhong(max(dot(n, normalize(light + toEye)), 0.0), shininess);
 #endif
@@ -125,6 +131,9 @@ void main()
     } else {
         radiance += lit(n, toEye, sunDirection, sunIrradiance, albedo);
         radiance += albedo / lightPi * shIrradiance(skyIrradiance, n);
+#ifdef TRANSMISSION
+        radiance += albedo * transmission / lightPi * shIrradiance(skyIrradiance, -n);
+#endif
     }
     for (int i = 0; i < int(lightCount); ++i) radiance += lampLight(lights[i], n, toEye, albedo);
 

@@ -6,11 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 std::string escaped(const std::string& text)
 {

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 /// One case. Pictures are whole PNG files; a missing one is told as such.
 struct ComparisonEntry {

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 void requireBytes(const Image& image)
 {

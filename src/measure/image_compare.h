@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 /// What may differ between two renderings of one case by different builds of a software rasteriser.
 struct PictureTolerance {

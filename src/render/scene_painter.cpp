@@ -19,6 +19,7 @@ enum Feature : unsigned {
     alphaToCoverage = 1u << 9,
     debugNormals = 1u << 10,
     sunDisc = 1u << 11,
+    transmission = 1u << 12,
 };
 
 struct FeatureName {
@@ -29,7 +30,8 @@ constexpr FeatureName featureNames[] = {
     {diffuseMap, "DIFFUSE_MAP"},   {normalMap, "NORMAL_MAP"},        {emissiveMap, "EMISSIVE_MAP"},
     {alphaMap, "ALPHA_MAP"},       {alphaTest, "ALPHA_TEST"},        {turnNormal, "TURN_NORMAL"},
     {specular, "SPECULAR"},        {clipPlane, "CLIP"},              {underwaterEye, "UNDERWATER"},
-    {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"}};
+    {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
+    {transmission, "TRANSMISSION"}};
 
 gl::Defines definesOf(unsigned features)
 {
@@ -37,6 +39,11 @@ gl::Defines definesOf(unsigned features)
     for (const auto& [feature, define] : featureNames)
         if (features & feature) defines.emplace_back(define, "1");
     return defines;
+}
+
+bool transmits(const Material& material)
+{
+    return material.alphaTested && material.transmission != vec3(0.0f);
 }
 
 } // namespace
@@ -58,6 +65,7 @@ unsigned ScenePainter::features(const Material& material) const
     // Foliage keeps the normal of the crown that it stands for; anything else turns towards the eye.
     if (material.twoSided && !material.alphaTested) bits |= turnNormal;
     if (material.specular != vec3(0.0f)) bits |= specular;
+    if (transmits(material)) bits |= transmission;
     return bits;
 }
 
@@ -98,6 +106,7 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material) c
         program.set("specularReflectance", material.specular);
         program.set("shininess", material.shininess);
     }
+    if (transmits(material)) program.set("transmission", material.transmission);
     if (material.alphaTested) {
         program.set("alpha", material.alpha);
         program.set("alphaCutoff", material.alphaCutoff);

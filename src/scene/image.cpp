@@ -135,6 +135,22 @@ void writePixels(const std::filesystem::path& temporary, const std::filesystem::
         throw Error("{}: cannot be written ({})", file.string(), oneLine(output->geterror()));
 }
 
+/// OpenImageIO's PNG writer does not notice a full disk: what was written is read back before it takes its place.
+void requireWhole(const std::filesystem::path& temporary, const std::filesystem::path& file)
+{
+    const auto isWhole = [&] {
+        // Looked at first because libpng prints a line of its own about a file that ends too early.
+        if (temporary.extension() == ".png" && readFile(temporary).find("IEND") == std::string::npos) return false;
+        try {
+            readImage(temporary);
+        } catch (const Error&) {
+            return false;
+        }
+        return true;
+    };
+    if (!isWhole()) throw Error("{}: cannot be written whole; is the disk full?", file.string());
+}
+
 } // namespace
 
 float srgbDecode(float encoded)
@@ -178,6 +194,7 @@ void writeImage(const std::filesystem::path& file, const Image& image,
         throw Error("{}: cannot be written, the picture is empty", file.string());
     writeWhole(file, [&](const std::filesystem::path& temporary) {
         writePixels(temporary, file, image, metadata, channelNames);
+        requireWhole(temporary, file);
     });
 }
 

@@ -119,7 +119,7 @@ private:
 
     static int numberCount(std::string_view word)
     {
-        if (word == "Kd" || word == "Ks" || word == "Ke") return 3;
+        if (word == "Kd" || word == "Ks" || word == "Ke" || word == "Tf") return 3;
         return word == "Ns" || word == "d" || word == "Tr" ? 1 : 0;
     }
 
@@ -182,6 +182,7 @@ Material convert(const tinyobj::material_t& source)
     material.fromModel = true;
     material.diffuse = nonNegative(source.diffuse, 1.0f);
     material.specular = nonNegative(source.specular, 1.0f);
+    material.transmission = nonNegative(source.transmittance, 1.0f);
     material.emissive = nonNegative(source.emission, 1e6f);
     material.shininess = std::clamp(static_cast<float>(source.shininess), 1.0f, 10000.0f);
     material.alpha = std::clamp(static_cast<float>(source.dissolve), 0.0f, 1.0f);

@@ -33,6 +33,8 @@ struct Material {
     std::string name;
     vec3 diffuse{0.8f};      ///< Kd
     vec3 specular{0.0f};     ///< Ks
+    vec3 transmission{0.0f}; ///< Tf, alpha-tested surfaces only: diffuse transmittance of the thin leaf, as a share
+                             ///< of its diffuse reflectance
     float shininess = 32.0f; ///< Ns, Blinn-Phong exponent
     vec3 emissive{0.0f};     ///< Ke, radiance
     float alpha = 1.0f;      ///< d; below alphaCutoff the surface is not there

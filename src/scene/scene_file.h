@@ -45,6 +45,7 @@
 //     name = "checker"               # (!)
 //     diffuse = [0.8, 0.8, 0.8]      # 0..1
 //     specular = [0, 0, 0]           # 0..1
+//     transmission = [0, 0, 0]       # 0..1, of thin alpha-tested leaves: share of the diffuse reflectance
 //     shininess = 32.0               # 1..10000
 //     emissive = [0, 0, 0]           # 0.., radiance
 //     alpha = 1.0                    # 0..1

@@ -59,6 +59,7 @@ void keys(TableIo& io, Material& material, MaterialFiles& files)
     io.text("name", material.name);
     io.uniform("diffuse", material.diffuse, zeroToOne);
     io.uniform("specular", material.specular, zeroToOne);
+    io.uniform("transmission", material.transmission, zeroToOne);
     io.number("shininess", material.shininess, {1.0, 10000.0});
     io.uniform("emissive", material.emissive, light);
     io.number("alpha", material.alpha, zeroToOne);

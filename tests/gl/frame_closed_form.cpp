@@ -223,6 +223,36 @@ TEST(FrameClosedForm, SunlightIsAbsorbedOnItsWayDownAndUp)
     }
 }
 
+// A thin leaf lit from behind: its transmission is a share of its reflectance.
+TEST(FrameClosedForm, ALeafPassesLightOn)
+{
+    Scene scene;
+    scene.sky.kind = Sky::Kind::constant;
+    scene.sky.radiance = vec3(0.0f);
+    scene.sun = Sun{normalize(vec3(1.0f, 2.0f, 0.0f)), vec3(10.0f), false};
+    scene.materials.resize(1);
+    scene.materials[0].diffuse = vec3(0.5f, 0.4f, 0.3f);
+    scene.materials[0].twoSided = true;
+    addFloor(scene, 3.0f, 10.0f, 0);
+    for (Vertex& vertex : scene.meshes[0].vertices) vertex.normal = vec3(0.0f, -1.0f, 0.0f); // of the crown's far side
+    Camera camera = lookDown(0.0f);
+    camera.eye = vec3(0.0f);
+    camera.target = vec3(0.0f, 3.0f, 0.0f);
+    scene.materials[0].alphaTested = true;
+    for (const vec3 transmission : {vec3(0.6f, 0.5f, 0.0f), vec3(0.0f)}) {
+        scene.materials[0].transmission = transmission;
+        Options options;
+        options.frame.msaa = 1;
+        Studio studio(scene, options);
+        const vec4 centre = pixel(studio.linear(camera), pictureSize.x / 2, pictureSize.y / 2);
+        for (int c = 0; c < 3; ++c) {
+            const double passed = static_cast<double>(scene.materials[0].diffuse[c] * transmission[c]);
+            const double expected = passed / std::numbers::pi * 10.0 * 2.0 / std::sqrt(5.0);
+            EXPECT_NEAR(centre[c], expected, 0.002 * expected + 1.0e-6) << "channel " << c;
+        }
+    }
+}
+
 // An island: where its top stands over the surface there is no water, and the debug views say so.
 TEST(FrameClosedForm, NoWaterWhereThereIsNone)
 {

@@ -9,11 +9,9 @@
 #include <array>
 #include <set>
 
-namespace tarn::imagetest
-{
+namespace tarn::imagetest {
 
-namespace
-{
+namespace {
 
 using nlohmann::json;
 
@@ -98,14 +96,8 @@ std::vector<Group> readCases(const std::filesystem::path& file)
     return groups;
 }
 
-std::filesystem::path goldenFolder()
-{
-    return TARN_GOLDENS;
-}
-std::filesystem::path resultFolder()
-{
-    return TARN_IMAGE_RESULTS;
-}
+std::filesystem::path goldenFolder() { return TARN_GOLDENS; }
+std::filesystem::path resultFolder() { return TARN_IMAGE_RESULTS; }
 
 CaseFiles filesOf(const std::string& caseName)
 {

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn::imagetest
-{
+namespace tarn::imagetest {
 
 struct Case {
     std::string name; ///< of the golden, of the test

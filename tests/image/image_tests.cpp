@@ -9,11 +9,9 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace tarn::imagetest
-{
+namespace tarn::imagetest {
 
-namespace
-{
+namespace {
 
 std::vector<Case> allCases(const std::vector<Group>& groups)
 {

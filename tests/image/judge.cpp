@@ -8,16 +8,11 @@
 #include <algorithm>
 #include <set>
 
-namespace tarn::imagetest
-{
+namespace tarn::imagetest {
 
-namespace
-{
+namespace {
 
-bool isThere(const std::filesystem::path& file)
-{
-    return std::filesystem::exists(file);
-}
+bool isThere(const std::filesystem::path& file) { return std::filesystem::exists(file); }
 
 std::optional<std::string> bytesOf(const std::filesystem::path& file)
 {

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn::imagetest
-{
+namespace tarn::imagetest {
 
 struct Verdict {
     bool good = false;

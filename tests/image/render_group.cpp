@@ -6,11 +6,9 @@
 
 #include <fmt/core.h>
 
-namespace tarn::imagetest
-{
+namespace tarn::imagetest {
 
-namespace
-{
+namespace {
 
 void requireClean(const Renderer& renderer, int errorsBefore)
 {

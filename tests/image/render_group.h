@@ -3,8 +3,7 @@
 
 #include "image/cases.h"
 
-namespace tarn::imagetest
-{
+namespace tarn::imagetest {
 
 /// Renders every case of the group under OSMesa, always checking for NaN, infinite and negative values and
 /// for OpenGL errors. A case that fails leaves its reason in place of a picture. Throws Error when nothing

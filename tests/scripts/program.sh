@@ -71,7 +71,7 @@ test_bad_scene() {
     refuse 1 'scene\.toml:2.*levle.*level' render "$work/scene.toml" --out a.png
     printf '[water\n' >"$work/scene.toml"
     refuse 1 'scene\.toml:1' render "$work/scene.toml" --out a.png
-    printf '[options]\nrefraction.stpes = 1\n' >"$work/scene.toml"
+    printf '[options]\nrefraction.stpes = 1\n[[primitives]]\nname = "a"\nkind = "box"\n' >"$work/scene.toml"
     refuse 1 'scene\.toml:2.*refraction\.stpes.*refraction\.steps' render "$work/scene.toml" --out a.png
     head -c 4096 /dev/urandom >"$work/scene.obj"
     refuse 1 'scene\.obj' render "$work/scene.obj" --out a.png
@@ -109,6 +109,7 @@ test_full_disk() {
         "$tarn" render "$pool" --size 640x480 --set frame.msaa=1 --out a.png >"$work/stdout" 2>"$work/stderr" </dev/null
     ) || status=$?
     [[ $status == 1 ]] || fail "a picture that cannot be written whole ended with $status"
+    [[ $(grep -c '' "$work/stderr") == 1 ]] || fail "the error is not one line"
     [[ $(cksum <a.png) == "$before" ]] || fail "the old picture is damaged"
     only_in_out a.png
 }

@@ -46,7 +46,7 @@ press() {
     done
 }
 
-picture_there() { [[ -n $(find "$work/out" -name '*.png' -size +1k) ]]; }
+picture_there() { [[ -n $(find "$work/out" -name 'tarn-*.png' -size +1k) ]]; }
 
 test_viewer() {
     start_display
@@ -62,7 +62,7 @@ test_viewer() {
     sleep 0.5
     press F12
     until_true "the screenshot" picture_there
-    photo=$(find "$work/out" -name '*.png' | head -n 1)
+    photo=$(find "$work/out" -name 'tarn-*.png' | head -n 1)
     "$osmesa" render "$scene" --camera shore --size 640x480 --time 0 --out "$work/reference.png" >/dev/null
     "$compare" "$work/reference.png" "$photo" || fail "the screenshot is not like the headless picture"
 

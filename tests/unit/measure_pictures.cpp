@@ -8,10 +8,8 @@
 #include <algorithm>
 #include <random>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 /// Fine texture in every direction, so that any change of place shows.
 Image textured(int width, int height, unsigned seed = 1)

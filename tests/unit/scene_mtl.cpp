@@ -42,9 +42,10 @@ protected:
 TEST_F(MtlTest, Constants)
 {
     const Material m =
-        material("newmtl m\nKa 1 1 1\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\nNs 99\nKe 7 8 9\nd 0.75\nillum 2\n");
+        material("newmtl m\nKa 1 1 1\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\nNs 99\nKe 7 8 9\nTf 0.6 0.5 0.4\nd 0.75\nillum 2\n");
     EXPECT_EQ(m.diffuse, vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(m.specular, vec3(0.4f, 0.5f, 0.6f));
+    EXPECT_EQ(m.transmission, vec3(0.6f, 0.5f, 0.4f));
     EXPECT_EQ(m.shininess, 99.0f);
     EXPECT_EQ(m.emissive, vec3(7.0f, 8.0f, 9.0f));
     EXPECT_EQ(m.alpha, 0.75f);

@@ -39,6 +39,7 @@ period = 1.5
 name = "check"
 diffuse = [0.3, 0.2, 0.1]
 specular = 0.1
+transmission = [0.5, 0.6, 0.1]
 shininess = 77
 emissive = [1, 2, 3]
 alpha = 0.9
@@ -176,6 +177,7 @@ void expectSame(const Material& a, const Material& b)
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(a.diffuse, b.diffuse);
     EXPECT_EQ(a.specular, b.specular);
+    EXPECT_EQ(a.transmission, b.transmission);
     EXPECT_EQ(a.emissive, b.emissive);
     EXPECT_EQ(a.shininess, b.shininess);
     EXPECT_EQ(a.alpha, b.alpha);

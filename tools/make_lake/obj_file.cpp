@@ -153,22 +153,27 @@ Kd 0.42 0.35 0.24
 
 newmtl leaves
 Kd 1 1 1
+Tf 0.8 0.8 0.5
 map_Kd textures/leaves.png
 
 newmtl needles
 Kd 1 1 1
+Tf 0.4 0.4 0.3
 map_Kd textures/needles.png
 
 newmtl reeds
 Kd 1 1 1
+Tf 0.6 0.6 0.4
 map_Kd textures/reeds.png
 
 newmtl blades
 Kd 1 1 1
+Tf 0.6 0.6 0.4
 map_Kd textures/blades.png
 
 newmtl forest_trees
 Kd 1 1 1
+Tf 0.6 0.6 0.4
 map_Kd textures/forest_trees.png
 )");
 }
