@@ -33,6 +33,8 @@ void main()
     vec3 mapped = abs(2.0 * fract(value.rgb) - 1.0) * value.a;
 #elif DISPLAY == 3 // a unit vector
     vec3 mapped = (0.5 * value.rgb + 0.5) * value.a;
+#elif DISPLAY == 5 // relative to flat water without loss, which is half grey
+    vec3 mapped = value.rgb / (value.rgb + 1.0) * value.a;
 #else // a fraction
     vec3 mapped = clamp(value.rrr, 0.0, 1.0) * value.a;
 #endif

@@ -5,6 +5,15 @@
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/lighting.glsl"
+#if defined(SHADOWS) || defined(CAUSTICS)
+#include "shared/sunlight.glsl"
+#endif
+#ifdef SHADOWS
+#include "passes/sun_maps.glsl"
+#endif
+#ifdef CAUSTICS
+uniform sampler2D causticsMap;
+#endif
 
 in vec3 positionW;
 in vec3 normalW;
@@ -82,8 +91,58 @@ vec3 lampLight(LightTerm lamp, vec3 n, vec3 toEye, vec3 albedo)
     return lit(n, toEye, light, lamp.intensity * (cone / distance2), albedo);
 }
 
+// From one pixel to the next, taken before anything branches: m.
+vec3 acrossW, alongW;
+
+// The sun's irradiance above the water on a surface that faces it.
+vec3 sunAbove()
+{
+#ifdef SHADOWS
+    vec2 slant = sunSlant(sunDirection);
+    return sunIrradiance * sunVisibility(afloatDepth, sunPlane(positionW, waterLevel, slant), positionW.y,
+                                         sunPlaneGradient(cross(acrossW, alongW), slant), sunHeights.z);
+#else
+    return sunIrradiance;
+#endif
+}
+
+// The same under water, facing the refracted sun: what waves gather where the caustics texture knows it, and what a
+// flat surface lets through elsewhere. Photons carry the shadows of what stands over the water with them.
+vec3 sunUnderwater(float depth)
+{
+    vec3 sun = sunBelow * beerLambert(absorption, depth / max(sunDirectionBelow.y, 0.05));
+#if defined(SHADOWS) || defined(CAUSTICS)
+    vec2 slant = sunSlant(sunDirectionBelow);
+    vec2 plane = sunPlane(positionW, waterLevel, slant);
+#endif
+    float gathered = 0.0;
+#ifdef CAUSTICS
+    vec2 fromEdge = causticsRect.zw - abs(plane - causticsRect.xy);
+    float inside = min(fromEdge.x, fromEdge.y);
+    gathered = clamp(inside / max(causticsBorder.x, 1.0e-6), 0.0, 1.0);
+#endif
+#ifdef SHADOWS
+    vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), slant);
+    float visible = sunVisibility(submergedDepth, plane, positionW.y, gradient, sunHeights.z);
+    if (gathered < 1.0) sun *= sunVisibility(afloatDepth, plane, positionW.y, gradient, sunHeights.z);
+#endif
+#ifdef CAUSTICS
+    // The texture holds light through a level area relative to the same above the water.
+    vec2 scale = 0.5 / causticsRect.zw;
+    vec3 light = textureGrad(causticsMap, (plane - causticsRect.xy) * scale + 0.5, sunPlane(acrossW, 0.0, slant) * scale,
+                             sunPlane(alongW, 0.0, slant) * scale).rgb;
+    sun = mix(sun, light * sunIrradiance * (sunDirection.y / sunDirectionBelow.y), gathered);
+#endif
+#ifdef SHADOWS
+    sun *= visible;
+#endif
+    return sun;
+}
+
 void main()
 {
+    acrossW = dFdx(positionW);
+    alongW = dFdy(positionW);
     // Samples at the edge of a triangle extrapolate its corners' colours, and may fall below zero.
     vec3 albedo = diffuseReflectance * max(tint, vec3(0.0));
 #ifdef DIFFUSE_MAP
@@ -125,11 +184,10 @@ void main()
     radiance *= texture(emissiveMap, uv).rgb;
 #endif
     if (submerged) {
-        vec3 sun = sunBelow * beerLambert(absorption, depth / max(sunDirectionBelow.y, 0.05));
-        radiance += lit(n, toEye, sunDirectionBelow, sun, albedo);
+        radiance += lit(n, toEye, sunDirectionBelow, sunUnderwater(depth), albedo);
         radiance += albedo / lightPi * skyIrradianceAtDepth(skyBelow, absorption, depth, n);
     } else {
-        radiance += lit(n, toEye, sunDirection, sunIrradiance, albedo);
+        radiance += lit(n, toEye, sunDirection, sunAbove(), albedo);
         radiance += albedo / lightPi * shIrradiance(skyIrradiance, n);
 #ifdef TRANSMISSION
         radiance += albedo * transmission / lightPi * shIrradiance(skyIrradiance, -n);

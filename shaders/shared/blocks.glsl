@@ -61,6 +61,14 @@ UNIFORM_BLOCK(ViewBlock) {
     float pixelAngle;    // radians a pixel spans at the centre
 };
 
+// The maps that the sun's light is looked up in (shared/sunlight.glsl): rectangles on the plane of the water's level.
+UNIFORM_BLOCK(SunBlock) {
+    vec4 sunRect;        // shadow maps: centre x, z and half extent x, z, m
+    vec4 sunHeights;     // world y at their depth 1 and at depth 0, m; bias of a comparison, m; unused
+    vec4 causticsRect;   // caustics texture: centre x, z and half extent x, z, m
+    vec4 causticsBorder; // width of its fading border; edge of a texel; edge of a photon's cell, m; unused
+};
+
 // The water's waves.
 UNIFORM_BLOCK(WavesBlock) {
     WaveTerm waves[maxWaves];

@@ -102,10 +102,10 @@ SHARED IntersectionState intersectionBegin(vec3 U, vec3 R, vec3 A1)
     return state;
 }
 
-SHARED IntersectionState intersectionStep(IntersectionState last, float viewZ)
+// A: what is seen at last.W, along the camera's ray through it, whatever the projection.
+SHARED IntersectionState intersectionStepSeen(IntersectionState last, vec3 A)
 {
     IntersectionState state = last;
-    vec3 A = seenThrough(last.W, viewZ);
     float gap = length(A - last.W);
     if (gap < last.bestDistance) {
         state.best = last.W;
@@ -130,4 +130,10 @@ SHARED IntersectionState intersectionStep(IntersectionState last, float viewZ)
     state.W = last.U + s * last.R;
     state.A = A;
     return state;
+}
+
+// The step for a perspective camera, from the view-space z of the depth picture at last.W's pixel.
+SHARED IntersectionState intersectionStep(IntersectionState last, float viewZ)
+{
+    return intersectionStepSeen(last, seenThrough(last.W, viewZ));
 }

@@ -231,6 +231,17 @@ std::vector<float> Framebuffer::readFloats(int output) const
     return values;
 }
 
+void Framebuffer::copyFloatsTo(Buffer& buffer, int output) const
+{
+    const std::size_t bytes = 4 * pixelCount(size_) * sizeof(float);
+    if (buffer.size() != bytes) buffer.upload(nullptr, bytes);
+    const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
+    beginRead(output);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.name());
+    glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_FLOAT, nullptr);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
 std::vector<std::uint8_t> Framebuffer::readBytes(int output) const
 {
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());

@@ -2,6 +2,7 @@
 // sizes and formats: no black screens without a message.
 #pragma once
 
+#include "gl/buffer.h"
 #include "gl/texture.h"
 
 #include <cstdint>
@@ -84,6 +85,8 @@ public:
     /// Four values per pixel, rows from bottom to top. Waits for the GPU. Throws Error on a multisampled one.
     std::vector<float> readFloats(int output = 0) const;
     std::vector<std::uint8_t> readBytes(int output = 0) const;
+    /// The floats into a buffer on the GPU, which is made as large as they need; nothing waits.
+    void copyFloatsTo(Buffer& buffer, int output = 0) const;
     /// One value per pixel, 0 near to 1 far.
     std::vector<float> readDepth() const;
 

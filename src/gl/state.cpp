@@ -73,6 +73,7 @@ void apply(const State& state)
     glColorMask(colour, colour, colour, colour);
     enable(GL_FRAMEBUFFER_SRGB, state.srgbEncode);
     enable(GL_SAMPLE_ALPHA_TO_COVERAGE, state.alphaToCoverage);
+    enable(GL_PROGRAM_POINT_SIZE, state.shaderPointSize);
     glEnable(GL_MULTISAMPLE);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glDisable(GL_SCISSOR_TEST);

@@ -26,6 +26,7 @@ struct State {
     bool srgbEncode = false; ///< encode when writing to an sRGB target
     bool alphaToCoverage = false;
     bool wireframe = false;
+    bool shaderPointSize = false; ///< points are as large as gl_PointSize says
     vec2 depthOffset{0.0f}; ///< slope factor and constant units
 };
 

@@ -8,8 +8,8 @@ namespace tarn {
 
 const char* passName(PassId pass)
 {
-    constexpr const char* names[passCount] = {"refraction", "reflection", "scene",
-                                              "water",      "glow",       "present"};
+    constexpr const char* names[passCount] = {"sunlight", "caustics", "refraction", "reflection",
+                                              "scene",    "water",    "glow",       "present"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -78,6 +78,46 @@ std::string whyNoGlow(const Scene& scene, const FramePlan& plan, const Options& 
     return "";
 }
 
+/// A sun so low has shadows without end, and next to no light on level ground.
+constexpr float lowestSun = 0.01f;
+
+std::string whyNoSun(const Scene& scene)
+{
+    if (!scene.sun) return "the scene has no sun";
+    if (scene.sun->direction.y <= lowestSun) return "the sun is below the horizon, or on it";
+    return "";
+}
+
+/// Why no light is gathered on the bed, or nothing when it is. `noWater`: why no surface is drawn.
+std::string whyNoCaustics(const Scene& scene, const FramePlan& plan, const std::string& noWater,
+                          const Options& options)
+{
+    if (!options.caustics.enabled) return "caustics.enabled is off";
+    if (const std::string noSun = whyNoSun(scene); !noSun.empty()) return noSun;
+    if (plan.underwater) return "";
+    if (!noWater.empty()) return noWater;
+    if (!options.refraction.enabled) return "refraction.enabled is off: the bed is not seen";
+    return "";
+}
+
+void planSunlight(FramePlan& plan, const Scene& scene, const std::string& noWater, const Options& options)
+{
+    const std::string noCaustics = whyNoCaustics(scene, plan, noWater, options);
+    plan[PassId::caustics] =
+        noCaustics.empty()
+            ? wanted("the waves gather the sun's light on the bed", ivec2(options.caustics.textureSize), "sunlight")
+            : unwanted(noCaustics);
+    std::string noSunlight = whyNoSun(scene);
+    if (noSunlight.empty() && !options.sunlight.shadows && !noCaustics.empty())
+        noSunlight = "sunlight.shadows is off, and no caustics need the bed's depth";
+    plan[PassId::sunlight] = noSunlight.empty()
+                                 ? wanted(options.sunlight.shadows ? "the sun casts shadows; drawn when scene, sun or "
+                                                                     "water changed"
+                                                                   : "photons need the bed's depth along the sun",
+                                          ivec2(options.sunlight.mapSize), "")
+                                 : unwanted(noSunlight);
+}
+
 ivec2 glowSize(ivec2 size, const Options& options) { return glm::max(size / options.glow.divisor, ivec2(1)); }
 
 } // namespace
@@ -94,6 +134,7 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
                       camera.eye.y < surfaceHeight(water, vec2(camera.eye.x, camera.eye.z), time);
 
     const std::string noWater = whyNoWater(water, camera, options, size);
+    planSunlight(plan, scene, noWater, options);
     if (!noWater.empty()) {
         for (const PassId pass : {PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
             plan[pass] = unwanted(noWater);

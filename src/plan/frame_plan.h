@@ -10,8 +10,8 @@
 namespace tarn {
 
 /// In the order in which a frame runs them.
-enum class PassId { refraction, reflection, scene, water, glow, present };
-inline constexpr std::size_t passCount = 6;
+enum class PassId { sunlight, caustics, refraction, reflection, scene, water, glow, present };
+inline constexpr std::size_t passCount = 8;
 
 /// "refraction", "reflection", … as shown by the profiler, the HUD and `tarn explain`.
 const char* passName(PassId pass);

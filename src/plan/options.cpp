@@ -13,6 +13,7 @@ constexpr std::array toneCurveNames{"linear", "reinhard", "aces"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative"};
 constexpr std::array refractionCameraNames{"main", "snell"};
+constexpr std::array causticsMethodNames{"cpu", "points", "fetch", "mesh"};
 constexpr std::array depthFormatNames{"depth16", "depth24", "depth32f"};
 
 void visit(FieldVisitor& v, FrameOptions& o)
@@ -78,9 +79,32 @@ void visit(FieldVisitor& v, ReflectionOptions& o)
             o.fovExtensionFar);
 }
 
+void visit(FieldVisitor& v, SunlightOptions& o)
+{
+    v.field({"shadows", "Shadows of the sun above the water and, along the refracted sun, below it"}, o.shadows);
+    v.field({"map_size", "Edge of the square depth maps along the sun", "texels", 16, 8192}, o.mapSize);
+    v.choice({"depth", "Depth format of these maps"}, o.depth, depthFormatNames);
+    v.field({"taps", "Comparisons along one edge of the shadow filter; 1 gives hard, stepped edges", "", 1, 5}, o.taps);
+    v.field({"bias", "Height by which an occluder must clear a surface, beside the surface's own slope", "m", 0.0, 10.0},
+            o.bias);
+}
+
 void visit(FieldVisitor& v, CausticsOptions& o)
 {
-    v.field({"enabled", "Light gathered by the waves on what lies under water (no effect yet: the pass is still to come)"}, o.enabled);
+    v.field({"enabled", "Light gathered by the waves on what lies under water"}, o.enabled);
+    v.choice({"method", "How photons become light: added up on the processor, as points from a copy (Mihalik 2008, "
+                        "section 8.1) or fetched in place, or as a mesh whose areas tell the intensity"},
+             o.method, causticsMethodNames);
+    v.field({"texture_size", "Edge of the square caustics texture", "texels", 16, 4096}, o.textureSize);
+    v.field({"photons", "Photons along one edge of what the texture covers", "photons", 16, 4096}, o.photons);
+    v.field({"steps", "Looks at the bed's depth in a photon's search for it (Mihalik 2008, section 7.1)", "steps", 1,
+             16},
+            o.steps);
+    v.field({"filter", "Radius of the binomial filter over the texture; 0 is off", "texels", 0, 2}, o.filter);
+    v.field({"extent", "Edge of what the texture covers; 0 takes the whole water when it is small, else what is near "
+                       "the eye",
+             "m", 0.0, 10000.0},
+            o.extent);
 }
 
 void visit(FieldVisitor& v, UnderwaterOptions& o)
@@ -119,6 +143,7 @@ void visit(FieldVisitor& visitor, Options& options)
     visitGroup(visitor, "water", "How the water's surface is drawn", options.water);
     visitGroup(visitor, "refraction", "What is seen through the water", options.refraction);
     visitGroup(visitor, "reflection", "What is seen mirrored in the water", options.reflection);
+    visitGroup(visitor, "sunlight", "The sun's shadows", options.sunlight);
     visitGroup(visitor, "caustics", "Caustics", options.caustics);
     visitGroup(visitor, "underwater", "Under water", options.underwater);
     visitGroup(visitor, "glow", "Glow", options.glow);

@@ -50,8 +50,23 @@ struct ReflectionOptions {
     float fovExtensionFar = 1.2f;
 };
 
+struct SunlightOptions {
+    bool shadows = true;
+    int mapSize = 2048;
+    DepthFormat depth = DepthFormat::depth24;
+    int taps = 2;
+    float bias = 0.02f;
+};
+
 struct CausticsOptions {
+    enum class Method { cpu, points, fetch, mesh };
     bool enabled = true;
+    Method method = Method::mesh;
+    int textureSize = 256;
+    int photons = 256;
+    int steps = 2;
+    int filter = 1;
+    float extent = 0.0f;
 };
 struct UnderwaterOptions {
     bool enabled = true;
@@ -70,6 +85,7 @@ struct Options {
     WaterOptions water;
     RefractionOptions refraction;
     ReflectionOptions reflection;
+    SunlightOptions sunlight;
     CausticsOptions caustics;
     UnderwaterOptions underwater;
     GlowOptions glow;

@@ -5,13 +5,14 @@
 
 namespace tarn {
 
-enum class BlockIndex { frame = 0, view = 1, waves = 2 };
+enum class BlockIndex { frame = 0, view = 1, waves = 2, sun = 3 };
 
 inline gl::Bindings shaderBindings()
 {
     return {.blocks = {{"FrameBlock", static_cast<int>(BlockIndex::frame)},
                        {"ViewBlock", static_cast<int>(BlockIndex::view)},
-                       {"WavesBlock", static_cast<int>(BlockIndex::waves)}},
+                       {"WavesBlock", static_cast<int>(BlockIndex::waves)},
+                       {"SunBlock", static_cast<int>(BlockIndex::sun)}},
             .samplers = {}};
 }
 

@@ -17,13 +17,14 @@ enum class DebugView {
     pathLength,       ///< |A - U|, metres of water
     positionW,        ///< W, world space
     normals,          ///< of scene and water, world space
+    caustics,         ///< the caustics texture: irradiance relative to the sun's above the water
 };
-inline constexpr int debugViewCount = 9;
+inline constexpr int debugViewCount = 10;
 
 /// As on the command line: "final", "scene-depth", …, in the order of the enumeration.
 inline constexpr std::array<const char*, debugViewCount> debugViewNames = {
     "final",   "scene-depth", "refraction", "refraction-depth", "reflection",
-    "fresnel", "path-length", "w-position", "normals"};
+    "fresnel", "path-length", "w-position", "normals", "caustics"};
 
 inline std::optional<DebugView> debugViewFromName(std::string_view name)
 {

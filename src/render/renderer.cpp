@@ -6,15 +6,19 @@
 #include "gl/workarounds.h"
 #include "render/bindings.h"
 #include "render/frame_light.h"
+#include "render/passes/caustics.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/glow.h"
 #include "render/passes/present.h"
 #include "render/passes/reflection.h"
 #include "render/passes/refraction.h"
 #include "render/passes/scene_pass.h"
+#include "render/passes/sunlight.h"
 #include "render/passes/water.h"
 #include "render/pixel_check.h"
+#include "render/sun_views.h"
 
+#include <cmath>
 #include <optional>
 
 namespace tarn {
@@ -58,7 +62,7 @@ std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
 struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
         : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, anisotropyFor(o.frame), progress),
-          painter(gpuScene, shaders), waterPass(shaders), glowPass(shaders), presentPass(shaders), debugCopy(shaders)
+          painter(gpuScene, shaders), causticsPass(shaders), waterPass(shaders), glowPass(shaders), presentPass(shaders), debugCopy(shaders)
     {
     }
 
@@ -68,15 +72,19 @@ struct Renderer::State {
     gl::Profiler& profiler;
     GpuScene gpuScene;
     ScenePainter painter;
+    Bounds bounds; ///< of the scene, world space
 
     gl::UniformBuffer<blocks::FrameBlock> frameBlock =
         uniformBuffer<blocks::FrameBlock>(BlockIndex::frame, "frame block");
     gl::UniformBuffer<blocks::ViewBlock> viewBlock =
         uniformBuffer<blocks::ViewBlock>(BlockIndex::view, "view block");
+    gl::UniformBuffer<blocks::SunBlock> sunBlock = uniformBuffer<blocks::SunBlock>(BlockIndex::sun, "sun block");
     gl::UniformBuffer<blocks::WavesBlock> wavesBlock =
         uniformBuffer<blocks::WavesBlock>(BlockIndex::waves, "waves block");
 
     gl::Target frame{"frame"};
+    SunlightPass sunlight;
+    CausticsPass causticsPass;
     RefractionPass refraction;
     ReflectionPass reflection;
     ScenePass scenePass;
@@ -95,8 +103,14 @@ struct Renderer::State {
     // Of this frame.
     View main, refractionView, reflectionView;
     blocks::FrameBlock light{};
+    SunVolume volume;
+    CausticsRegion region;
+    PaintStyle lit; ///< what of the sun's light the passes look up
 
     void beginFrame(const FrameInput& input);
+    void beginSunlight(const FrameInput& input);
+    void drawSunlight();
+    void drawCaustics();
     void drawRefraction();
     void drawReflection();
     void drawScene(const FrameInput& input);
@@ -120,6 +134,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     main.alphaToCoverage = options.frame.msaa > 1;
     state_->painter.prepare(main, false);
     if (scene.water.present && options.water.enabled) state_->painter.prepare(PaintStyle{}, true);
+    state_->bounds = worldBounds(scene);
 }
 
 Renderer::~Renderer() = default;
@@ -143,6 +158,8 @@ const FrameStats& Renderer::render(const FrameInput& input)
     State& s = *state_;
     s.profiler.beginFrame();
     s.beginFrame(input);
+    if (s.stats.plan[PassId::sunlight].wanted) s.drawSunlight();
+    if (s.stats.plan[PassId::caustics].wanted) s.drawCaustics();
     if (s.stats.plan[PassId::refraction].wanted) s.drawRefraction();
     if (s.stats.plan[PassId::reflection].wanted) s.drawReflection();
     s.drawScene(input);
@@ -166,6 +183,64 @@ void Renderer::State::beginFrame(const FrameInput& input)
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     frameBlock.update(light);
     wavesBlock.update(tarn::wavesBlock(water, input.time));
+    beginSunlight(input);
+}
+
+void Renderer::State::beginSunlight(const FrameInput& input)
+{
+    volume = sunVolume(water, bounds);
+    region = causticsRegion(water, input.camera, options.caustics);
+    sunBlock.update(tarn::sunBlock(volume, region, options));
+    lit = PaintStyle{};
+    lit.shadows = stats.plan[PassId::sunlight].wanted && options.sunlight.shadows;
+    lit.caustics = stats.plan[PassId::caustics].wanted;
+}
+
+void Renderer::State::drawSunlight()
+{
+    gl::PassScope scope(profiler, passName(PassId::sunlight));
+    FrameStats::Pass& pass = stats.passes.emplace_back(FrameStats::Pass{passName(PassId::sunlight), 0, 0});
+    const SunlightPass::Inputs inputs{volume, light.sunDirection, light.sunDirectionBelow, water.level};
+    if (sunlight.isStale(inputs, options.sunlight)) {
+        for (const SunLayer layer : {SunLayer::afloat, SunLayer::submerged}) {
+            const vec3& toSun = layer == SunLayer::afloat ? inputs.toSun : inputs.toSunBelow;
+            const View view = sunView(volume, layer, toSun, water.level);
+            viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
+            sunlight.draw(layer, view, painter, options.sunlight, options.frame.cullChunks, pass);
+        }
+        sunlight.keep(inputs, options.sunlight);
+    }
+    painter.setSunMaps({&sunlight.depth(SunLayer::afloat), &sunlight.depth(SunLayer::submerged), nullptr,
+                        options.sunlight.taps});
+}
+
+namespace {
+
+/// Whether waves move the place where the sun's light enters by more than a quarter of a photon's cell.
+bool movesSideways(const WaterBody& water, const vec3& toSun, float cellEdge)
+{
+    const float slant = std::sqrt(toSun.x * toSun.x + toSun.z * toSun.z) / toSun.y;
+    return totalAmplitude(water) * slant > 0.25f * cellEdge;
+}
+
+} // namespace
+
+void Renderer::State::drawCaustics()
+{
+    gl::PassScope scope(profiler, passName(PassId::caustics));
+    FrameStats::Pass& pass = stats.passes.emplace_back(FrameStats::Pass{passName(PassId::caustics), 0, 0});
+    const float cell = 2.0f * region.rect.halfExtent.x / static_cast<float>(options.caustics.photons);
+    const gl::Texture& afloat = sunlight.depth(SunLayer::afloat);
+    const gl::Texture& submerged = sunlight.depth(SunLayer::submerged);
+    const gl::Target& caustics =
+        causticsPass.draw(options.caustics,
+                          {.submergedDepth = submerged,
+                           .afloatDepth = options.sunlight.shadows ? &afloat : nullptr,
+                           .absorption = water.absorption,
+                           .surfaceMovesSideways = movesSideways(water, light.sunDirection, cell)},
+                          pass);
+    painter.setSunMaps({&afloat, &submerged, &caustics.colour(), options.sunlight.taps});
+    check(PassId::caustics, caustics);
 }
 
 FrameStats::Pass& Renderer::State::beginPass(PassId pass, const View& view, ivec2 size)
@@ -187,7 +262,8 @@ void Renderer::State::drawRefraction()
     const RefractionPass::Inputs inputs{.view = refractionView,
                                         .underwater = stats.plan.underwater,
                                         .deepRadiance = light.deepRadiance,
-                                        .cull = options.frame.cullChunks};
+                                        .cull = options.frame.cullChunks,
+                                        .style = lit};
     check(PassId::refraction, refraction.draw(painter, options.refraction, inputs, pass));
 }
 
@@ -196,7 +272,7 @@ void Renderer::State::drawReflection()
     gl::PassScope scope(profiler, passName(PassId::reflection));
     FrameStats::Pass& pass = beginPass(PassId::reflection, reflectionView, stats.plan[PassId::reflection].size);
     const ReflectionPass::Inputs inputs{
-        .view = reflectionView, .underwater = stats.plan.underwater, .cull = options.frame.cullChunks};
+        .view = reflectionView, .underwater = stats.plan.underwater, .cull = options.frame.cullChunks, .style = lit};
     check(PassId::reflection, reflection.draw(painter, options.reflection, inputs, pass));
 }
 
@@ -209,7 +285,7 @@ void Renderer::State::drawScene(const FrameInput& input)
                   .depth = gl::Format::depth24,
                   .samples = raw ? 1 : options.frame.msaa});
 
-    ScenePass::Inputs inputs{.view = main, .style = {}, .cover = {}, .cull = options.frame.cullChunks};
+    ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.frame.cullChunks};
     inputs.style.underwaterEye = stats.plan.underwater;
     inputs.style.sunDisc = !stats.plan.underwater;
     inputs.style.alphaToCoverage = frame.isMultisampled();
@@ -267,6 +343,9 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
     case DebugView::reflection:
         return stats.plan[PassId::reflection].wanted ? debugCopy.colour(reflection.target().colour(), size)
                                                      : debugCopy.nothing(size);
+    case DebugView::caustics:
+        return stats.plan[PassId::caustics].wanted ? debugCopy.colour(causticsPass.target().colour(), size)
+                                                   : debugCopy.nothing(size);
     default: return frame;
     }
 }

@@ -20,6 +20,9 @@ enum Feature : unsigned {
     debugNormals = 1u << 10,
     sunDisc = 1u << 11,
     transmission = 1u << 12,
+    shadows = 1u << 13,
+    caustics = 1u << 14,
+    depthOnly = 1u << 15,
 };
 
 struct FeatureName {
@@ -31,7 +34,10 @@ constexpr FeatureName featureNames[] = {
     {alphaMap, "ALPHA_MAP"},       {alphaTest, "ALPHA_TEST"},        {turnNormal, "TURN_NORMAL"},
     {specular, "SPECULAR"},        {clipPlane, "CLIP"},              {underwaterEye, "UNDERWATER"},
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
-    {transmission, "TRANSMISSION"}};
+    {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"}};
+
+/// What decides whether a surface is there at all.
+constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane;
 
 gl::Defines definesOf(unsigned features)
 {
@@ -75,8 +81,21 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.underwaterEye) bits |= underwaterEye;
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
     if (style.debugNormals) bits |= debugNormals;
-    auto& program = scenePrograms_[bits];
-    if (!program) program = shaders_.program("scene", "passes/scene.vert", "passes/scene.frag", definesOf(bits));
+    if (style.shadows) bits |= shadows;
+    if (style.caustics) bits |= caustics;
+    if (style.depthOnly) {
+        bits &= shapeFeatures;
+        if (!(bits & alphaTest)) bits &= clipPlane; // maps matter to cut-outs only
+        bits |= depthOnly;
+    }
+    const int taps = style.shadows ? sunMaps_.taps : 0;
+    auto& program = scenePrograms_[{bits, taps}];
+    if (!program) {
+        gl::Defines defines = definesOf(bits);
+        if (taps > 0) defines.emplace_back("SHADOW_TAPS", std::to_string(taps));
+        program = shaders_.program(style.depthOnly ? "sunlight" : "scene", "passes/scene.vert",
+                                   style.depthOnly ? "passes/sunlight.frag" : "passes/scene.frag", defines);
+    }
     return *program;
 }
 
@@ -137,10 +156,11 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
     int lastState = -1;
     for (const Chunk* chunk : chunks) {
         const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
-        const int state = (material.twoSided ? 1 : 0) | (material.alphaTested && style.alphaToCoverage ? 2 : 0);
+        // Whatever side of a thing the sun sees, it casts a shadow.
+        const int state = (material.twoSided || style.depthOnly ? 1 : 0) | (material.alphaTested && style.alphaToCoverage ? 2 : 0);
         if (state != lastState) {
             // Back faces go before clipping, or the clip plane would show the insides of what it cuts (Fig. 3).
-            gl::apply({.cull = material.twoSided ? gl::Cull::none : gl::Cull::back,
+            gl::apply({.cull = (state & 1) ? gl::Cull::none : gl::Cull::back,
                        .clockwiseFront = view.mirrored,
                        .clipDistances = view.clips() ? 1 : 0,
                        .alphaToCoverage = (state & 2) != 0});
@@ -148,7 +168,14 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         }
         gl::Program& program = sceneProgram(features(material), style, view.clips());
         const bool newProgram = &program != lastProgram;
-        if (newProgram) program.use();
+        if (newProgram) {
+            program.use();
+            if (style.shadows) {
+                program.texture("afloatDepth", *sunMaps_.afloat);
+                program.texture("submergedDepth", *sunMaps_.submerged);
+            }
+            if (style.caustics) program.texture("causticsMap", *sunMaps_.caustics);
+        }
         if (newProgram || chunk->material != lastMaterial) setMaterial(program, material);
         if (newProgram || chunk->instance != lastInstance) {
             const auto i = static_cast<std::size_t>(chunk->instance);

@@ -17,7 +17,18 @@ struct PaintStyle {
     bool sunDisc = false;         ///< the sky shows the sun itself
     bool alphaToCoverage = false; ///< the target has several samples: foliage edges use them
     bool debugNormals = false;    ///< world-space normals in place of radiance
+    bool shadows = false;         ///< sunlight is looked up in the shadow maps
+    bool caustics = false;        ///< and what reaches the bed in the caustics texture
+    bool depthOnly = false;       ///< no colour: what the sun's maps hold
     bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
+};
+
+/// What the sun's light is looked up in. Null: not there, and not asked for by any style.
+struct SunMaps {
+    const gl::Texture* afloat = nullptr;    ///< depth along the sun of what stands over the level
+    const gl::Texture* submerged = nullptr; ///< depth along the refracted sun of what lies under it
+    const gl::Texture* caustics = nullptr;  ///< irradiance on the bed relative to the sun's above the water
+    int taps = 2;                           ///< comparisons along an edge of the shadow filter
 };
 
 class ScenePainter {
@@ -26,6 +37,9 @@ public:
 
     /// Compiles what the scene's materials need in a style, so that the first frame does not wait for it.
     void prepare(const PaintStyle& style, bool clips);
+
+    /// For all draws from now on; the textures must outlive them.
+    void setSunMaps(const SunMaps& maps) { sunMaps_ = maps; }
 
     /// Draws into the bound target. FrameBlock and the view's ViewBlock must be bound.
     void draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
@@ -43,7 +57,8 @@ private:
 
     const GpuScene& scene_;
     gl::ShaderLibrary& shaders_;
-    std::map<unsigned, std::shared_ptr<gl::Program>> scenePrograms_;
+    SunMaps sunMaps_;
+    std::map<std::pair<unsigned, int>, std::shared_ptr<gl::Program>> scenePrograms_; ///< by features and taps
     std::map<unsigned, std::shared_ptr<gl::Program>> skyPrograms_;
     std::vector<mat3> worldFromModelNormal_; ///< per instance
     gl::FullscreenTriangle triangle_;

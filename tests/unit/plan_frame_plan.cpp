@@ -93,6 +93,43 @@ TEST(FramePlan, SwitchesTurnOffOnePassEach)
     EXPECT_FALSE(plan[PassId::reflection].wanted);
 }
 
+TEST(FramePlan, CausticsNeedASunAndABedInSight)
+{
+    const Camera camera = cameraAt({0, 4, 15}, {0, 0, 0});
+    Scene scene;
+    scene.water = lake();
+    const auto plan = [&](const Options& options, const Camera& eye) {
+        const FramePlan result = planFrame(scene, scene.water, eye, options, {640, 480}, 0.0);
+        expectReasons(result);
+        return result;
+    };
+    EXPECT_FALSE(plan({}, camera)[PassId::caustics].wanted);
+    EXPECT_FALSE(plan({}, camera)[PassId::sunlight].wanted);
+    scene.sun = Sun{};
+    Options options;
+    options.caustics.textureSize = 128;
+    options.sunlight.mapSize = 1024;
+    EXPECT_EQ(plan(options, camera)[PassId::caustics].size, ivec2(128));
+    EXPECT_EQ(plan(options, camera)[PassId::sunlight].size, ivec2(1024));
+    options.refraction.enabled = false; // the bed is not seen
+    EXPECT_FALSE(plan(options, camera)[PassId::caustics].wanted);
+    // An eye in the water sees the bed directly, also with its back to the surface.
+    EXPECT_TRUE(plan(options, cameraAt({0, 0, 0}, {0, -5, 1}))[PassId::caustics].wanted);
+    options = {};
+    options.caustics.enabled = false;
+    EXPECT_FALSE(plan(options, camera)[PassId::caustics].wanted);
+    EXPECT_TRUE(plan(options, camera)[PassId::sunlight].wanted);
+    options.sunlight.shadows = false;
+    EXPECT_FALSE(plan(options, camera)[PassId::sunlight].wanted);
+    options.caustics.enabled = true; // photons find the bed in the sun's maps
+    EXPECT_TRUE(plan(options, camera)[PassId::sunlight].wanted);
+    for (const float height : {-0.3f, 0.0f}) {
+        scene.sun->direction = normalize(vec3(1.0f, height, 0.0f));
+        EXPECT_FALSE(plan({}, camera)[PassId::caustics].wanted);
+        EXPECT_FALSE(plan({}, camera)[PassId::sunlight].wanted);
+    }
+}
+
 TEST(FramePlan, GlowNeedsASunOverTheWater)
 {
     const Camera camera = cameraAt({0, 4, 15}, {0, 0, 0});

@@ -9,7 +9,7 @@ namespace tarn::lake {
 namespace {
 
 constexpr float windDirection = 24.0f; // degrees from +x towards +z
-constexpr float rmsSlope = 0.039f;     // a light breeze: Cox & Munk 1954 give 0.08 for 1 m/s and more
+constexpr float rmsSlope = 0.066f;     // a light breeze: Cox & Munk 1954 give 0.08 for 1 m/s and more
 constexpr int waveCount = 20;
 constexpr float longest = 6.3f, shortest = 0.28f;
 

@@ -19,6 +19,7 @@ const char* displayCode(DebugView view)
     case DebugView::positionW: return "2";
     case DebugView::normals: return "3";
     case DebugView::fresnel: return "4";
+    case DebugView::caustics: return "5";
     }
     return "0";
 }

@@ -14,7 +14,7 @@ const gl::Target& ReflectionPass::draw(ScenePainter& painter, const ReflectionOp
     target_.bind();
     target_.drawFramebuffer().clearColour(vec4(0.0f));
     target_.drawFramebuffer().clearDepth();
-    PaintStyle style;
+    PaintStyle style = inputs.style;
     style.underwaterEye = inputs.underwater;
     painter.draw(inputs.view, style, WaterCover{}, inputs.cull, stats);
     return target_;

@@ -13,6 +13,7 @@ public:
         const View& view;
         bool underwater = false; ///< the eye is below the surface, which mirrors the bed
         bool cull = true;
+        PaintStyle style; ///< how the sun lights what is seen; the pass adds its own
     };
 
     const gl::Target& draw(ScenePainter& painter, const ReflectionOptions& options, const Inputs& inputs,

@@ -14,6 +14,7 @@ public:
         bool underwater = false; ///< the eye is below the surface: the far side is the air
         vec3 deepRadiance{0.0f}; ///< where there is nothing under water
         bool cull = true;
+        PaintStyle style; ///< how the sun lights what is seen; the pass adds its own
     };
 
     const gl::Target& draw(ScenePainter& painter, const RefractionOptions& options, const Inputs& inputs,

@@ -1,0 +1,87 @@
+// The sun's photons, one a texel: where each ends on the bed, and what it brings (Mihálik 2008, sections 8.1 and 9.2).
+//
+// A texel is a ray of the sun that crosses the plane of the water's level at a point of a regular lattice, so that all
+// rays bring the same flux. R, G: the hit in the caustics texture's coordinates, 0 to 1 inside it. B: the light that
+// enters, Fresnel's transmittance times the share of a texel's area, less shadows. A: metres of water to the hit; the
+// attenuation differs between red, green and blue and is applied where the photon is gathered.
+#include "shared/blocks.glsl"
+#include "shared/refraction.glsl"
+#include "shared/waves.glsl"
+#include "shared/intersection.glsl"
+#include "shared/sunlight.glsl"
+#define SHADOW_TAPS 2
+#include "passes/sun_maps.glsl"
+
+in vec2 uv;
+
+uniform int steps;
+uniform bool surfaceMovesSideways; // the waves' height shifts U by more than a part of a photon's cell
+uniform bool shadowed;
+
+out vec4 fragment;
+
+struct SurfacePoint {
+    float height; // over the level
+    vec2 slope;
+};
+
+SurfacePoint surfaceAt(vec2 x)
+{
+    SurfacePoint s;
+    s.height = 0.0;
+    s.slope = vec2(0.0);
+    for (int i = 0; i < int(waveCount); ++i) {
+        // Waves that the lattice cannot carry fade, as they do in the picture.
+        vec3 term = waveFilter(waves[i], causticsBorder.z) * waveTerm(waves[i], x, time);
+        s.height += term.x;
+        s.slope += term.yz;
+    }
+    return s;
+}
+
+// A of section 7.1 for a point W: what the refracted sun's light through W meets. Here and below points are written
+// (x, z, y), so that the third coordinate is the depth along the camera's axis that intersection.glsl compares.
+vec3 seenBySun(vec3 W, vec2 slant)
+{
+    vec2 plane = sunPlane(W.xzy, waterLevel, slant);
+    float height = heightFromDepth(textureLod(submergedDepth, sunMapUv(plane), 0.0).r);
+    return vec3(W.xy + slant * (height - W.z), height);
+}
+
+void main()
+{
+    vec2 plane = causticsRect.xy + (2.0 * uv - 1.0) * causticsRect.zw;
+    fragment = vec4(uv, 0.0, 0.0); // no light, and a place that does not stretch the mesh
+    if (any(greaterThan(abs(plane - waterRect.xy), waterRect.zw))) return;
+
+    // U: where the ray meets the waves, by one step of Newton's method from the level.
+    vec2 slantAir = sunSlant(sunDirection);
+    SurfacePoint surface = surfaceAt(plane);
+    float height = surface.height / max(1.0 - dot(surface.slope, slantAir), 0.2);
+    vec2 xz = plane + slantAir * height;
+    if (surfaceMovesSideways) surface = surfaceAt(xz);
+    vec3 U = vec3(xz, waterLevel + height);
+
+    vec3 n = waveNormal(surface.slope);
+    float cosine = dot(n, sunDirection);
+    if (cosine <= 0.0) return; // the far side of a steep wave
+    vec3 refracted = refractRay(-sunDirection, n, 1.0 / ior).xzy;
+
+    vec2 slant = sunSlant(sunDirectionBelow);
+    vec3 hit = U;
+    float path = 0.0;
+    vec3 first = seenBySun(U, slant);
+    if (first.z < U.z) { // else the surface lies in the ground: the light of the shore's last texels
+        IntersectionState s = intersectionBegin(U, refracted, first);
+        for (int i = 1; i < steps; ++i) s = intersectionStepSeen(s, seenBySun(s.W, slant));
+        // One look gives the planar approximation, as in refraction.
+        hit = steps > 1 ? s.best : s.W;
+        path = distance(hit, U);
+    }
+
+    float light = (1.0 - fresnelExact(cosine, 1.0 / ior)) * photonShare(causticsBorder.z, causticsBorder.y);
+    // A beach a hand above the level is not in the way of what enters beside it.
+    if (shadowed) light *= sunVisibility(afloatDepth, plane, U.z, vec2(0.0), 0.1);
+    vec2 where = sunPlane(hit.xzy, waterLevel, slant);
+    fragment = vec4((where - causticsRect.xy) / causticsRect.zw * 0.5 + 0.5, light, path);
+}

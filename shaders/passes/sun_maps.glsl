@@ -1,0 +1,40 @@
+// Lookups in the sun's depth maps. Needs blocks.glsl and sunlight.glsl; SHADOW_TAPS: comparisons along an edge.
+
+uniform sampler2D afloatDepth;    // along the sun, of what stands over the level
+uniform sampler2D submergedDepth; // along the refracted sun, of what lies under it
+
+vec2 sunMapUv(vec2 plane) { return (plane - sunRect.xy) / sunRect.zw * 0.5 + 0.5; }
+
+float heightFromDepth(float depth01) { return mix(sunHeights.y, sunHeights.x, depth01); }
+
+// The share of the sun's light that passes a map on its way to a point at height y: percentage-closer filtering
+// (Reeves et al. 1987), a box of SHADOW_TAPS - 1 texels with linear edges. Each comparison is made with the height
+// that the receiving plane has there, so that its own slope casts no shadow on it.
+// plane: sunPlane of the point; gradient: sunPlaneGradient of its surface.
+float sunVisibility(sampler2D map, vec2 plane, float y, vec2 gradient, float bias)
+{
+    vec2 uvMap = sunMapUv(plane);
+    if (any(lessThan(uvMap, vec2(0.0))) || any(greaterThan(uvMap, vec2(1.0)))) return 1.0; // nothing is known there
+    ivec2 size = textureSize(map, 0);
+    vec2 metres = 2.0 * sunRect.zw / vec2(size); // of a texel
+    vec2 position = uvMap * vec2(size);
+    vec2 first = position - 0.5 * float(SHADOW_TAPS - 1);
+    ivec2 corner = ivec2(floor(first));
+    vec2 part = first - vec2(corner);
+    float sum = 0.0;
+    for (int j = 0; j < SHADOW_TAPS; ++j) {
+        for (int i = 0; i < SHADOW_TAPS; ++i) {
+            ivec2 cell = corner + ivec2(i, j);
+            float occluder = heightFromDepth(texelFetch(map, clamp(cell, ivec2(0), size - 1), 0).r);
+            float here = y + dot(gradient, (vec2(cell) + 0.5 - position) * metres) + bias;
+#if SHADOW_TAPS > 1
+            vec2 edge = vec2(i == 0 ? 1.0 - part.x : (i == SHADOW_TAPS - 1 ? part.x : 1.0),
+                             j == 0 ? 1.0 - part.y : (j == SHADOW_TAPS - 1 ? part.y : 1.0));
+            sum += edge.x * edge.y * step(occluder, here);
+#else
+            sum += step(occluder, here);
+#endif
+        }
+    }
+    return sum / float(SHADOW_TAPS > 1 ? (SHADOW_TAPS - 1) * (SHADOW_TAPS - 1) : 1);
+}

@@ -1,0 +1,26 @@
+// Depth along the sun: nothing is written but what the depth test keeps. Cut-outs are tested as in scene.frag.
+#ifdef ALPHA_TEST
+in vec2 uv;
+#ifdef DIFFUSE_MAP
+uniform sampler2D diffuseMap;
+#endif
+#ifdef ALPHA_MAP
+uniform sampler2D alphaMap;
+#endif
+uniform float alpha;
+uniform float alphaCutoff;
+#endif
+
+void main()
+{
+#ifdef ALPHA_TEST
+    float coverage = alpha;
+#ifdef DIFFUSE_MAP
+    coverage *= texture(diffuseMap, uv).a;
+#endif
+#ifdef ALPHA_MAP
+    coverage *= texture(alphaMap, uv).r;
+#endif
+    if (coverage < alphaCutoff) discard;
+#endif
+}

@@ -1,0 +1,59 @@
+// Where the sun's light meets the water's level: the coordinates of the shadow maps and the caustics texture.
+//
+// A point is looked up where the light that reaches it crosses the plane of the water at rest: above the water along
+// the sun's direction, below it along the refracted one. Both are parallel projections onto the level plane, so that a
+// texel is an area of that plane whatever the sun's elevation, light that enters at a place of the plane keeps its
+// coordinates all the way down, and one coordinate finds both a point's shadow from the air and that from the water.
+//
+// World space, y up, m. toSun: unit, towards the sun in the point's medium (refractedSunDirection below the level).
+
+// How far light moves sideways, x and z, for each metre that it rises. Straight up there is none; a sun on the horizon
+// has no crossing and must not be asked for.
+SHARED vec2 sunSlant(vec3 toSun)
+{
+    return vec2(toSun.x, toSun.z) / toSun.y;
+}
+
+// x and z at which the light through a point crosses the level.
+SHARED vec2 sunPlane(vec3 point, float level, vec2 slant)
+{
+    return vec2(point.x, point.z) - slant * (point.y - level);
+}
+
+// How the height of a flat surface changes per metre of the plane's coordinates, x and z. On the plane with normal n
+// through p: n·(p' - p) = 0 with x = u + slant y. A surface along the light has none; the limit keeps it finite and
+// is steeper than anything that receives light worth a shadow.
+// n: its normal; the sign does not matter.
+SHARED vec2 sunPlaneGradient(vec3 n, vec2 slant)
+{
+    const float steepest = 8.0;
+    float along = n.y + n.x * slant.x + n.z * slant.y;
+    float floored = max(abs(along), 1.0e-6);
+    vec2 gradient = -vec2(n.x, n.z) / (along < 0.0 ? -floored : floored);
+    float size = length(gradient);
+    return size > steepest ? gradient * (steepest / size) : gradient;
+}
+
+// Weight of a photon for the texel at an offset from it, in texels: the hat, whose values at the four texels around a
+// photon sum to 1, so that spreading it keeps its energy.
+SHARED float photonWeight(vec2 offset)
+{
+    return max(1.0 - abs(offset.x), 0.0) * max(1.0 - abs(offset.y), 0.0);
+}
+
+// How much of a photon's light is taken at the level of a texel: the area of a photon's cell over that of a texel.
+SHARED float photonShare(float cellEdge, float texelEdge)
+{
+    return (cellEdge / texelEdge) * (cellEdge / texelEdge);
+}
+
+// Weight of a cell in the filter of the caustics texture: binomial, 1-2-1 (radius 1) or 1-4-6-4-1 (radius 2) in each
+// direction; the weights of a row sum to 1, so that the filter keeps the energy.
+SHARED float causticsFilterWeight(int radius, int offset)
+{
+    int k = offset < 0 ? -offset : offset;
+    if (k > radius) return 0.0;
+    if (radius <= 0) return 1.0;
+    if (radius == 1) return k == 0 ? 0.5 : 0.25;
+    return k == 0 ? 0.375 : (k == 1 ? 0.25 : 0.0625);
+}

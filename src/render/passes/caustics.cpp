@@ -1,0 +1,144 @@
+#include "render/passes/caustics.h"
+
+#include "gl/state.h"
+#include "optics/optics.h"
+
+#include <cmath>
+
+namespace tarn {
+
+using Method = CausticsOptions::Method;
+
+const gl::Target& CausticsPass::draw(const CausticsOptions& options, const Inputs& inputs, FrameStats::Pass& stats)
+{
+    castPhotons(options, inputs);
+    // Sums need all of a float's digits, and more range than half floats have: any number of photons may meet.
+    gathered_.ensure({.size = ivec2(options.textureSize), .colours = {gl::Format::rgba32f}});
+    gl::apply({});
+    gathered_.drawFramebuffer().clearColour(vec4(0.0f));
+    switch (options.method) {
+    case Method::cpu: gatherOnProcessor(options, inputs.absorption); break;
+    case Method::points:
+    case Method::fetch: gatherPoints(options, stats); break;
+    case Method::mesh: gatherMesh(options, stats); break;
+    }
+    filter(options);
+    return filtered_;
+}
+
+void CausticsPass::castPhotons(const CausticsOptions& options, const Inputs& inputs)
+{
+    if (!photonProgram_)
+        photonProgram_ =
+            shaders_.program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag");
+    photons_.ensure({.size = ivec2(options.photons), .colours = {gl::Format::rgba32f}, .filter = gl::Filter::nearest});
+    gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
+    photons_.bind();
+    photonProgram_->use();
+    photonProgram_->texture("submergedDepth", inputs.submergedDepth);
+    photonProgram_->texture("afloatDepth", inputs.afloatDepth ? *inputs.afloatDepth : inputs.submergedDepth);
+    photonProgram_->set("shadowed", inputs.afloatDepth != nullptr);
+    photonProgram_->set("surfaceMovesSideways", inputs.surfaceMovesSideways);
+    photonProgram_->set("steps", options.steps);
+    triangle_.draw();
+}
+
+std::vector<float> gatherPhotons(const std::vector<float>& photons, int edge, const vec3& absorption)
+{
+    std::vector<float> sums(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge) * 4, 0.0f);
+    for (std::size_t i = 0; i + 3 < photons.size(); i += 4) {
+        if (photons[i + 2] <= 0.0f) continue;
+        // Texel k's centre is k + 1/2. A photon whose place is outside has left the texture, whole.
+        const vec2 place = vec2(photons[i], photons[i + 1]) * static_cast<float>(edge);
+        if (!(place.x >= 0.0f && place.y >= 0.0f && place.x <= static_cast<float>(edge) &&
+              place.y <= static_cast<float>(edge)))
+            continue;
+        const vec3 light = photons[i + 2] * optics::beerLambert(absorption, photons[i + 3]);
+        const ivec2 corner(static_cast<int>(std::floor(place.x - 0.5f)), static_cast<int>(std::floor(place.y - 0.5f)));
+        for (int y = corner.y; y <= corner.y + 1; ++y) {
+            for (int x = corner.x; x <= corner.x + 1; ++x) {
+                if (x < 0 || y < 0 || x >= edge || y >= edge) continue;
+                const vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+                const float weight = optics::photonWeight(centre - place);
+                const auto texel = static_cast<std::size_t>(y * edge + x) * 4;
+                for (int c = 0; c < 3; ++c) sums[texel + static_cast<std::size_t>(c)] += weight * light[c];
+            }
+        }
+    }
+    return sums;
+}
+
+void CausticsPass::gatherOnProcessor(const CausticsOptions& options, const vec3& absorption)
+{
+    const std::vector<float> sums =
+        gatherPhotons(photons_.framebuffer().readFloats(), options.textureSize, absorption);
+    gathered_.colour().upload(std::span<const float>(sums), 4);
+}
+
+gl::Program& CausticsPass::gatherProgram(Method method)
+{
+    auto& program = gatherPrograms_[method];
+    if (!program) {
+        gl::Defines defines;
+        if (method == Method::fetch) defines.emplace_back("FETCH", "1");
+        if (method == Method::mesh) defines.emplace_back("MESH", "1");
+        program = shaders_.program("caustics gather", "passes/caustics_gather.vert", "passes/caustics_gather.frag",
+                                   defines);
+    }
+    return *program;
+}
+
+void CausticsPass::gatherPoints(const CausticsOptions& options, FrameStats::Pass& stats)
+{
+    const int count = options.photons * options.photons;
+    gl::Program& program = gatherProgram(options.method);
+    const bool copies = options.method == Method::points;
+    if (copies) {
+        if (photonBuffer_.size() == 0) photonBuffer_ = gl::Buffer("photons", gl::Buffer::Usage::dynamic);
+        photons_.framebuffer().copyFloatsTo(photonBuffer_);
+        photonPoints_ = gl::VertexArray("photons");
+        photonPoints_.attributes(photonBuffer_, 4 * sizeof(float), {{0, 4, 0}});
+    } else if (bare_.label().empty()) {
+        bare_ = gl::VertexArray("fetched photons");
+    }
+    gl::apply({.depthTest = gl::DepthTest::off,
+               .depthWrite = false,
+               .blend = gl::Blend::add,
+               .shaderPointSize = true});
+    gathered_.bind();
+    program.use();
+    program.set("textureEdge", static_cast<float>(options.textureSize));
+    if (!copies) {
+        program.texture("photons", photons_.colour());
+        program.set("photonEdge", options.photons);
+    }
+    (copies ? photonPoints_ : bare_).draw(gl::Primitive::points, 0, count);
+    ++stats.drawCalls;
+}
+
+void CausticsPass::gatherMesh(const CausticsOptions& options, FrameStats::Pass& stats)
+{
+    gl::Program& program = gatherProgram(Method::mesh);
+    gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false, .blend = gl::Blend::add});
+    gathered_.bind();
+    program.use();
+    program.texture("photons", photons_.colour());
+    program.set("photonEdge", options.photons);
+    lattice_.draw(options.photons, stats);
+}
+
+void CausticsPass::filter(const CausticsOptions& options)
+{
+    if (!filterProgram_)
+        filterProgram_ = shaders_.program("caustics filter", "passes/fullscreen.vert", "passes/caustics_filter.frag");
+    filtered_.ensure({.size = ivec2(options.textureSize), .colours = {gl::Format::rgba16f}, .mipmaps = true});
+    gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
+    filtered_.bind();
+    filterProgram_->use();
+    filterProgram_->texture("source", gathered_.colour());
+    filterProgram_->set("radius", options.filter);
+    triangle_.draw();
+    filtered_.colour().generateMipmaps();
+}
+
+} // namespace tarn

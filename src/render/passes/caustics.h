@@ -1,0 +1,64 @@
+// Light that the waves gather on what lies under water (Mihálik 2008, chapter 8): the sun's photons, found on the bed
+// and added up in a texture of irradiance relative to the sun's above the water, both through a level area.
+//
+// Four ways to add them up, one interface; CausticsOptions::Method says what each does.
+#pragma once
+
+#include "gl/buffer.h"
+#include "gl/shader_library.h"
+#include "gl/target.h"
+#include "gl/vertex_array.h"
+#include "optics/blocks.h"
+#include "plan/options.h"
+#include "render/water_grid.h"
+
+#include <map>
+#include <memory>
+
+namespace tarn {
+
+class CausticsPass {
+public:
+    explicit CausticsPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
+
+    struct Inputs {
+        const gl::Texture& submergedDepth; ///< of SunlightPass
+        const gl::Texture* afloatDepth;    ///< null: nothing stands in the light
+        vec3 absorption;                   ///< 1/m, for the method that works on the processor
+        bool surfaceMovesSideways = true;  ///< waves shift the photons' start by more than a part of a cell
+    };
+
+    /// FrameBlock, WavesBlock and SunBlock must be bound. The texture has mipmaps.
+    const gl::Target& draw(const CausticsOptions& options, const Inputs& inputs, FrameStats::Pass& stats);
+    const gl::Target& target() const { return filtered_; }
+
+    /// Of the last draw: four floats a photon (caustics_photons.frag), and the texture before its filter.
+    const gl::Target& photons() const { return photons_; }
+    const gl::Target& gathered() const { return gathered_; }
+
+private:
+    void castPhotons(const CausticsOptions& options, const Inputs& inputs);
+    void gatherOnProcessor(const CausticsOptions& options, const vec3& absorption);
+    void gatherPoints(const CausticsOptions& options, FrameStats::Pass& stats);
+    void gatherMesh(const CausticsOptions& options, FrameStats::Pass& stats);
+    void filter(const CausticsOptions& options);
+    gl::Program& gatherProgram(CausticsOptions::Method method);
+
+    gl::ShaderLibrary& shaders_;
+    gl::Target photons_{"caustics photons"};
+    gl::Target gathered_{"caustics gathered"};
+    gl::Target filtered_{"caustics"};
+    gl::FullscreenTriangle triangle_;
+    gl::Buffer photonBuffer_;
+    gl::VertexArray photonPoints_; ///< over photonBuffer_
+    gl::VertexArray bare_;         ///< no attributes: photons are fetched
+    WaterGrid lattice_;            ///< of the mesh
+    std::shared_ptr<gl::Program> photonProgram_, filterProgram_;
+    std::map<CausticsOptions::Method, std::shared_ptr<gl::Program>> gatherPrograms_;
+};
+
+/// What the method `cpu` does: adds photons (four floats each, caustics_photons.frag) to a square of `edge` texels.
+/// Returns RGBA.
+std::vector<float> gatherPhotons(const std::vector<float>& photons, int edge, const vec3& absorption);
+
+} // namespace tarn

@@ -1,0 +1,45 @@
+// The scene's depth along the sun: above the water along its direction, below it along the refracted one
+// (Mihálik 2008, section 9.2). Shadows are looked up in it, and photons find the bed in it.
+#pragma once
+
+#include "gl/target.h"
+#include "plan/options.h"
+#include "render/scene_painter.h"
+#include "render/sun_views.h"
+
+#include <optional>
+
+namespace tarn {
+
+class SunlightPass {
+public:
+    struct Inputs {
+        SunVolume volume;
+        vec3 toSun;      ///< unit, above the horizon
+        vec3 toSunBelow; ///< the refracted one
+        float level = 0.0f;
+        bool operator==(const Inputs&) const = default;
+    };
+
+    /// True when the maps must be drawn: they keep what they hold until an input, or an option, changes.
+    bool isStale(const Inputs& inputs, const SunlightOptions& options) const;
+
+    /// Draws one layer. The view's ViewBlock must be bound.
+    void draw(SunLayer layer, const View& view, ScenePainter& painter, const SunlightOptions& options, bool cull,
+              FrameStats::Pass& stats);
+    /// After both layers.
+    void keep(const Inputs& inputs, const SunlightOptions& options);
+
+    const gl::Texture& depth(SunLayer layer) const { return target(layer).depth(); }
+
+private:
+    const gl::Target& target(SunLayer layer) const { return layer == SunLayer::afloat ? afloat_ : submerged_; }
+
+    gl::Target afloat_{"sunlight afloat"};
+    gl::Target submerged_{"sunlight submerged"};
+    std::optional<Inputs> drawn_;
+    int mapSize_ = 0;
+    DepthFormat format_ = DepthFormat::depth24;
+};
+
+} // namespace tarn

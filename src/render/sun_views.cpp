@@ -1,0 +1,96 @@
+#include "render/sun_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tarn {
+
+SunVolume sunVolume(const WaterBody& water, const Bounds& bounds)
+{
+    SunVolume volume;
+    if (!bounds.empty()) {
+        // A little room, so that neither the lowest bed nor the highest leaf lies on the end of the range.
+        const float room = 0.01f * std::max(bounds.extent().y, 1.0f);
+        volume.lowest = bounds.lower.y - room;
+        volume.highest = bounds.upper.y + room;
+    }
+    if (water.present) {
+        // The shore's own shadows, and those that fall on it, reach a part of the water's size inland.
+        constexpr float withShore = 1.3f;
+        volume.rect = {water.centre, 0.5f * withShore * water.extent};
+        volume.lowest = std::min(volume.lowest, water.level - 1.0f);
+        volume.highest = std::max(volume.highest, water.level + 1.0f);
+    } else if (!bounds.empty()) {
+        const vec3 centre = bounds.centre(), half = 0.5f * bounds.extent();
+        volume.rect = {{centre.x, centre.z}, glm::max(vec2(half.x, half.z), vec2(0.5f))};
+    }
+    return volume;
+}
+
+View sunView(const SunVolume& volume, SunLayer layer, const vec3& toSun, float level)
+{
+    const float slantX = toSun.x / toSun.y, slantZ = toSun.z / toSun.y;
+    const vec2 centre = volume.rect.centre, half = volume.rect.halfExtent;
+    // Rows of clipFromWorld: x - slant (y - level) and z likewise over the rectangle, heights from the top down.
+    const float range = volume.highest - volume.lowest;
+    const vec4 rowX(1.0f / half.x, -slantX / half.x, 0.0f, (slantX * level - centre.x) / half.x);
+    const vec4 rowY(0.0f, -slantZ / half.y, 1.0f / half.y, (slantZ * level - centre.y) / half.y);
+    const vec4 rowZ(0.0f, -2.0f / range, 0.0f, (volume.highest + volume.lowest) / range);
+    View view;
+    view.clipFromView = glm::transpose(mat4(rowX, rowY, rowZ, vec4(0.0f, 0.0f, 0.0f, 1.0f)));
+    view.eye = vec3(centre.x, level, centre.y) + 2.0f * (range + glm::length(half)) * toSun;
+    view.mirrored = true; // z of the world runs up the map
+    // The bed goes on a little above the level, so that the last photons before the shore find it there.
+    constexpr float beach = 0.12f;
+    view.clipPlane =
+        layer == SunLayer::afloat ? vec4(0.0f, 1.0f, 0.0f, -level) : vec4(0.0f, -1.0f, 0.0f, level + beach);
+    return view;
+}
+
+namespace {
+
+/// The step of √2 from `least` that holds an extent.
+float quantised(float extent, float least)
+{
+    const float steps = std::ceil(2.0f * std::log2(std::max(extent / least, 1.0f)) - 1.0e-3f);
+    return least * std::exp2(0.5f * steps);
+}
+
+float snapped(float value, float step) { return step * std::floor(value / step + 0.5f); }
+
+} // namespace
+
+CausticsRegion causticsRegion(const WaterBody& water, const Camera& camera, const CausticsOptions& options)
+{
+    const float whole = std::max(water.extent.x, water.extent.y);
+    const float height = std::abs(camera.eye.y - water.level);
+    // Six times the eye's height away the bed is seen at 10 degrees, where water mirrors more than it lets through.
+    constexpr float least = 16.0f, perHeight = 6.0f, beside = 4.0f;
+    const float extent =
+        options.extent > 0.0f ? options.extent : quantised(perHeight * height + beside, least);
+    // Light that waves throw past the water's edge still lands on something.
+    constexpr float withRim = 1.05f;
+    if (extent >= whole) return {{water.centre, vec2(0.5f * withRim * whole)}, 0.0f};
+
+    const vec3 forward = glm::normalize(camera.target - camera.eye);
+    const vec2 wanted = vec2(camera.eye.x, camera.eye.z) + 0.4f * extent * vec2(forward.x, forward.z);
+    // Both lattices, texels and photons, repeat after this many metres.
+    const float step = extent / static_cast<float>(std::gcd(options.textureSize, options.photons));
+    constexpr float borderShare = 0.08f;
+    return {{{snapped(wanted.x, step), snapped(wanted.y, step)}, vec2(0.5f * extent)}, borderShare * extent};
+}
+
+blocks::SunBlock sunBlock(const SunVolume& volume, const CausticsRegion& region, const Options& options)
+{
+    blocks::SunBlock block{};
+    block.sunRect = vec4(volume.rect.centre, volume.rect.halfExtent);
+    block.sunHeights = vec4(volume.lowest, volume.highest, options.sunlight.bias, 0.0f);
+    block.causticsRect = vec4(region.rect.centre, region.rect.halfExtent);
+    const float edge = 2.0f * region.rect.halfExtent.x;
+    block.causticsBorder = vec4(region.border, edge / static_cast<float>(options.caustics.textureSize),
+                                edge / static_cast<float>(options.caustics.photons), 0.0f);
+    return block;
+}
+
+} // namespace tarn

@@ -1,0 +1,47 @@
+// What the sun looks at: the rectangles on the water's level that its maps cover, and the parallel projections onto
+// them (shaders/shared/sunlight.glsl). World space, metres.
+#pragma once
+
+#include "optics/blocks.h"
+#include "plan/options.h"
+#include "render/view.h"
+#include "scene/scene.h"
+
+namespace tarn {
+
+/// A rectangle on the plane of the water's level.
+struct LevelRect {
+    vec2 centre{0.0f};     ///< x and z
+    vec2 halfExtent{1.0f};
+    bool operator==(const LevelRect&) const = default;
+};
+
+/// What the shadow maps hold. It does not depend on the eye, so that their texels never move and they need drawing
+/// only once.
+struct SunVolume {
+    LevelRect rect;                       ///< the water and a part of the shore
+    float lowest = -1.0f, highest = 1.0f; ///< of the scene
+    bool operator==(const SunVolume&) const = default;
+};
+/// @param bounds of the whole scene
+SunVolume sunVolume(const WaterBody& water, const Bounds& bounds);
+
+/// Which half of the scene a shadow map holds.
+enum class SunLayer { afloat, submerged };
+
+/// The parallel projection along the sun (afloat) or along the refracted sun (submerged). Depth 0 is the highest
+/// height of the volume, 1 the lowest. toSun: in the layer's medium, unit, above the horizon.
+View sunView(const SunVolume& volume, SunLayer layer, const vec3& toSun, float level);
+
+/// What the caustics texture covers: the whole water when that is small, else a square about what the eye sees of it,
+/// whose size has steps of √2 and whose place has steps of a texel, so that texels and photons keep their place on the
+/// water while the eye moves.
+struct CausticsRegion {
+    LevelRect rect;
+    float border = 0.0f; ///< width of the border in which it gives way to a flat surface; 0: it holds all there is
+};
+CausticsRegion causticsRegion(const WaterBody& water, const Camera& camera, const CausticsOptions& options);
+
+blocks::SunBlock sunBlock(const SunVolume& volume, const CausticsRegion& region, const Options& options);
+
+} // namespace tarn
