@@ -1,12 +1,16 @@
-// tarn bench: what the frame costs with the water, without it, and with any option changed.
+// tarn bench: what the frame costs with the water, without it, and with any option changed; or a table of the
+// thesis, measured here.
 #include "app/commands.h"
 #include "app/session.h"
 #include "base/error.h"
 #include "measure/benchmark.h"
+#include "measure/paper_tables.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fstream>
+#include <thread>
 
 namespace tarn
 {
@@ -66,10 +70,52 @@ private:
     const FrameStats* stats_ = nullptr;
 };
 
+/// Draws a frame before each that counts: the row before had targets of another size, and making them anew is
+/// no part of this one's cost.
+class TableSubject : public RenderedSubject
+{
+public:
+    using RenderedSubject::RenderedSubject;
+    void prepare(int index) override { draw(index); }
+};
+
+/// The processor, which is the renderer as well where OpenGL is drawn in software.
+std::string machineText()
+{
+    const unsigned int threads = std::thread::hardware_concurrency();
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+            return fmt::format("{}, {} threads", line.substr(colon + 2), threads);
+    return fmt::format("{} threads", threads);
+}
+
 Settings changed(Settings settings, const std::string& assignment, const char* origin)
 {
     assign(fieldTree(settings), parseAssignment(assignment, origin));
     return settings;
+}
+
+using Configuration = std::pair<std::string, Settings>;
+
+std::vector<Configuration> configurationsOf(const BenchCommand& command, const Settings& settings)
+{
+    std::vector<Configuration> configurations;
+    if (command.table) {
+        const std::string origin = fmt::format("--table {}", command.table->number);
+        for (const PaperRow& row : command.table->rows) {
+            Settings rowSettings = settings;
+            for (const std::string& assignment : row.assignments)
+                rowSettings = changed(std::move(rowSettings), assignment, origin.c_str());
+            configurations.emplace_back(row.name, std::move(rowSettings));
+        }
+        return configurations;
+    }
+    configurations.emplace_back("water", settings);
+    for (const std::string& variant : command.variants)
+        configurations.emplace_back(variant, changed(settings, variant, "--vary"));
+    configurations.emplace_back("dry", changed(settings, "water.enabled=false", "bench"));
+    return configurations;
 }
 
 } // namespace
@@ -80,24 +126,28 @@ void run(const BenchCommand& command)
     TerminalProgress progress;
     const Stage stage = loadStage(command.scene, &progress);
     const Camera camera = chooseCamera(stage.scene, command.view.camera);
-    std::vector<std::pair<std::string, Settings>> configurations{{"water", stage.settings}};
-    for (const std::string& variant : command.variants)
-        configurations.emplace_back(variant, changed(stage.settings, variant, "--vary"));
-    configurations.emplace_back("dry", changed(stage.settings, "water.enabled=false", "bench"));
+    const std::vector<Configuration> configurations = configurationsOf(command, stage.settings);
 
     Session session(stage, command.view.size, &progress);
     std::vector<std::unique_ptr<BenchSubject>> subjects;
-    for (const auto& [name, settings] : configurations)
-        subjects.push_back(std::make_unique<RenderedSubject>(name, session, settings, camera, command.view));
+    for (const auto& [name, settings] : configurations) {
+        if (command.table)
+            subjects.push_back(std::make_unique<TableSubject>(name, session, settings, camera, command.view));
+        else
+            subjects.push_back(
+                std::make_unique<RenderedSubject>(name, session, settings, camera, command.view));
+    }
     BenchReport report =
         runBenchmark(subjects, {.frames = command.frames, .warmUp = command.warmUp}, &progress);
-    report.context = {{"renderer", session.context().renderer()},
+    report.context = {{"machine", machineText()},
+                      {"renderer", session.context().renderer()},
                       {"OpenGL", session.context().version()},
                       {"scene", stage.scene.file.string()},
                       {"camera", camera.name},
                       {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
-    writeJson(command.json, toJson(report));
-    if (command.json != "-") fmt::print("{}", toTable(report));
+    writeJson(command.json, command.table ? toJson(*command.table, report) : toJson(report));
+    if (command.json != "-")
+        fmt::print("{}", command.table ? toMarkdown(*command.table, report) : toTable(report));
 }
 
 } // namespace tarn

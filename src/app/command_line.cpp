@@ -188,8 +188,16 @@ std::function<Command()> defineBench(Flags& flags)
     flags.count("--warm-up", "Frames drawn first and not counted", command->warmUp, 0, 10000);
     flags.list("--vary", "KEY=VALUE", "Measure one more configuration, with this option set",
                command->variants);
+    flags.value("--table", "N", "Measure table 2 or 3 of Mihalik 2008, chapter 10, beside its figures",
+                [command = command.get()](const std::string& text, const std::string& flag) {
+                    command->table = &findPaperTable(text, flag);
+                });
     flags.text("--json", "FILE", jsonDoc, command->json);
-    return [command] { return *command; };
+    return [command] {
+        if (command->table && !command->variants.empty())
+            throw UsageError("--table has configurations of its own; leave --vary away");
+        return *command;
+    };
 }
 
 std::function<Command()> defineExplain(Flags& flags)

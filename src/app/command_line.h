@@ -3,6 +3,7 @@
 
 #include "app/settings.h"
 #include "base/math.h"
+#include "measure/paper_tables.h"
 #include "render/debug_view.h"
 
 #include <filesystem>
@@ -59,6 +60,7 @@ struct BenchCommand {
     int frames = 60;
     int warmUp = 5;
     std::vector<std::string> variants; ///< "key=value": one more configuration each
+    const PaperTable* table = nullptr; ///< measures its rows instead; null: none asked for
     std::string json;
 };
 

@@ -85,6 +85,7 @@ private:
 
 void measureFrame(BenchSubject& subject, int index, bool passes, Recorder& recorder)
 {
+    subject.prepare(index);
     const double cpuStart = processCpuSeconds();
     const Clock::time_point start = Clock::now();
     subject.draw(index);

@@ -39,6 +39,8 @@ test_wrong_usage() {
     refuse 2 'frensel.*' render "$pool" --view frensel --out a.png
     refuse 2 'frames' render "$pool" --frames 0 --out a_%04d.png
     refuse 2 '%' render "$pool" --frames 3 --out a.png
+    refuse 2 'table 4.*2.*3' bench "$pool" --table 4
+    refuse 2 'table.*vary' bench "$pool" --table 2 --vary refraction.steps=1
     refuse 2 'png' render "$pool" --out a.bmp
     refuse 2 'png' render "$pool" --out picture
     only_in_out
@@ -163,7 +165,10 @@ test_json() {
     grep -q '"triangles"' a.json || fail "render's JSON does not count triangles"
     call 0 bench "$pool" --size 32x24 --frames 3 --json b.json
     grep -q '"renderer"' b.json && grep -q '"median' b.json || fail "bench's JSON lacks the machine or the median"
-    only_in_out a.json a.png b.json
+    call 0 bench "$pool" --size 32x24 --frames 2 --table 2 --json c.json
+    grep -q '^| caustics off ' "$work/stdout" || fail "bench --table 2 has no row without caustics"
+    grep -q '"ours_over_thesis"' c.json || fail "the table's JSON does not compare with the thesis"
+    only_in_out a.json a.png b.json c.json
 }
 
 test_options() {

@@ -116,6 +116,25 @@ TEST(CommandLine, BenchVariants)
     EXPECT_EQ(c.variants, (std::vector<std::string>{"refraction.steps=1", "a.b=c"}));
 }
 
+TEST(CommandLine, BenchTables)
+{
+    EXPECT_EQ(parsed<BenchCommand>({"bench"}).table, nullptr);
+    for (const int number : {2, 3}) {
+        const auto c = parsed<BenchCommand>({"bench", "s.toml", "--table", std::to_string(number)});
+        ASSERT_NE(c.table, nullptr);
+        EXPECT_EQ(c.table->number, number);
+        EXPECT_EQ(c.scene.file, "s.toml");
+    }
+    for (const char* wrong : {"1", "4", "-2", "2.0", "02", "two", ""}) {
+        const std::string told = complaint({"bench", "--table", wrong});
+        EXPECT_NE(told.find("--table " + std::string(wrong)), std::string::npos) << told;
+        EXPECT_NE(told.find("2 (caustics on and off) and 3 ("), std::string::npos) << told;
+    }
+    EXPECT_NE(complaint({"bench", "--vary", "refraction.steps=1", "--table", "2"}).find("--vary"),
+              std::string::npos);
+    EXPECT_NE(complaint({"render", "--table", "2", "--out", "a.png"}).find("--table"), std::string::npos);
+}
+
 TEST(CommandLine, HelpAndVersionAreText)
 {
     EXPECT_NE(parsed<PrintCommand>({"--help"}).text.find("bench"), std::string::npos);

@@ -106,6 +106,28 @@ TEST(Benchmark, SubjectsTakeTurnsInAlternatingOrderAfterWarmingUp)
     EXPECT_EQ(log, expected);
 }
 
+TEST(Benchmark, PreparationIsNotCounted)
+{
+    /// Slow to prepare, quick to draw.
+    class SlowStarter : public FakeSubject
+    {
+    public:
+        using FakeSubject::FakeSubject;
+        void prepare(int) override
+        {
+            ++prepared;
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+        int prepared = 0;
+    };
+    std::vector<std::string> log;
+    std::vector<std::unique_ptr<BenchSubject>> subjects;
+    subjects.push_back(std::make_unique<SlowStarter>("a", 0, log));
+    const BenchReport report = runBenchmark(subjects, {.frames = 3, .warmUp = 1});
+    EXPECT_EQ(static_cast<const SlowStarter&>(*subjects[0]).prepared, 3);
+    EXPECT_LT(percentile(report.results[0].frame.wallMs, 0.5), 40.0);
+}
+
 TEST(Benchmark, MeasuresEachFrameAndSomeOfThePasses)
 {
     std::vector<std::string> log;
