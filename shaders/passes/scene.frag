@@ -177,8 +177,9 @@ void main()
 #endif
 
     float depth = waterLevel - positionW.y;
+    // A wall on the very edge of the water is wet: a centimetre keeps rounding from speckling it.
     bool submerged = hasWater > 0.5 && depth > 0.0 &&
-                     all(lessThanEqual(abs(positionW.xz - waterRect.xy), waterRect.zw));
+                     all(lessThanEqual(abs(positionW.xz - waterRect.xy), waterRect.zw + 0.01));
     vec3 radiance = emittedRadiance;
 #ifdef EMISSIVE_MAP
     radiance *= texture(emissiveMap, uv).rgb;
