@@ -54,7 +54,9 @@ struct CausticsOptions {
     bool enabled = true;
 };
 struct UnderwaterOptions {
+    enum class Refraction { paper, exact };
     bool enabled = true;
+    Refraction refraction = Refraction::exact;
     float distance = 1.5f; ///< m of eqs. 13 and 15
 };
 struct GlowOptions {

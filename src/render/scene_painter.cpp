@@ -20,6 +20,7 @@ enum Feature : unsigned {
     debugNormals = 1u << 10,
     sunDisc = 1u << 11,
     transmission = 1u << 12,
+    waterline = 1u << 13,
 };
 
 struct FeatureName {
@@ -31,7 +32,7 @@ constexpr FeatureName featureNames[] = {
     {alphaMap, "ALPHA_MAP"},       {alphaTest, "ALPHA_TEST"},        {turnNormal, "TURN_NORMAL"},
     {specular, "SPECULAR"},        {clipPlane, "CLIP"},              {underwaterEye, "UNDERWATER"},
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
-    {transmission, "TRANSMISSION"}};
+    {transmission, "TRANSMISSION"}, {waterline, "WATERLINE"}};
 
 gl::Defines definesOf(unsigned features)
 {
@@ -73,6 +74,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
 {
     if (clips) bits |= clipPlane;
     if (style.underwaterEye) bits |= underwaterEye;
+    if (style.waterline) bits |= waterline;
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
     if (style.debugNormals) bits |= debugNormals;
     auto& program = scenePrograms_[bits];
@@ -85,6 +87,7 @@ gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
     unsigned bits = 0;
     if (style.sunDisc) bits |= sunDisc;
     if (style.underwaterEye) bits |= underwaterEye;
+    if (style.waterline) bits |= waterline;
     auto& program = skyPrograms_[bits];
     if (!program) program = shaders_.program("sky", "passes/sky.vert", "passes/sky.frag", definesOf(bits));
     return *program;
@@ -149,6 +152,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         gl::Program& program = sceneProgram(features(material), style, view.clips());
         const bool newProgram = &program != lastProgram;
         if (newProgram) program.use();
+        if (newProgram && style.waterline) program.texture("waterline", *style.waterline);
         if (newProgram || chunk->material != lastMaterial) setMaterial(program, material);
         if (newProgram || chunk->instance != lastInstance) {
             const auto i = static_cast<std::size_t>(chunk->instance);
@@ -171,6 +175,7 @@ void ScenePainter::drawSky(const PaintStyle& style)
     gl::Program& program = skyProgram(style);
     program.use();
     if (!style.underwaterEye) program.texture("skyMap", scene_.skyMap());
+    if (style.waterline) program.texture("waterline", *style.waterline);
     triangle_.draw();
 }
 
