@@ -2,6 +2,7 @@
 //
 // Above the water: sun and sky directly. Below it: the sun refracted by the flat surface and the sky through it, both
 // absorbed on their way down. UNDERWATER: the eye is in the water too, so what lies between is water (eq. 10).
+// WATERLINE: the surface cuts the near plane, and that holds for the pixels under it.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/lighting.glsl"
@@ -45,6 +46,10 @@ uniform vec3 transmission; // of a thin leaf, as a share of its reflectance
 #ifdef ALPHA_TEST
 uniform float alpha;
 uniform float alphaCutoff;
+#endif
+
+#ifdef WATERLINE
+uniform sampler2D waterline; // 1 where a pixel is under water, waterline.frag
 #endif
 
 out vec4 fragment;
@@ -196,11 +201,14 @@ void main()
     }
     for (int i = 0; i < int(lightCount); ++i) radiance += lampLight(lights[i], n, toEye, albedo);
 
-#ifdef UNDERWATER
+#if defined(UNDERWATER) || defined(WATERLINE)
     // What stands over the level is seen through water as far as the level (a shore behind the foot of a wave).
     // The reflection's mirrored eye stands over the level itself; all it sees is seen through water.
     float share = depth > 0.0 ? 1.0 : min(abs(waterLevel - eye.y) / max(abs(positionW.y - eye.y), 1.0e-6), 1.0);
     vec3 a = beerLambert(absorption, share * distance(positionW, eye));
+#ifdef WATERLINE
+    a = mix(vec3(1.0), a, texelFetch(waterline, ivec2(gl_FragCoord.xy), 0).r);
+#endif
     radiance = radianceThroughWater(radiance, deepRadiance, a);
 #endif
     fragment = vec4(radiance, coverage);

@@ -4,6 +4,9 @@
 in vec3 directionW;
 
 uniform samplerCube skyMap;
+#ifdef WATERLINE
+uniform sampler2D waterline; // 1 where a pixel is under water, waterline.frag
+#endif
 
 out vec4 fragment;
 
@@ -28,6 +31,9 @@ void main()
     vec3 radiance = texture(skyMap, direction).rgb;
 #ifdef SUN_DISC
     radiance += sunDisc(direction);
+#endif
+#ifdef WATERLINE
+    radiance = mix(radiance, deepRadiance, texelFetch(waterline, ivec2(gl_FragCoord.xy), 0).r);
 #endif
     fragment = vec4(radiance, 1.0);
 #endif

@@ -16,11 +16,10 @@ uniform mat4 refractionViewFromWorld;
 uniform mat4 refractionClipFromView;
 uniform vec2 refractionNearFar;
 uniform mat4 worldFromRefractionView;
-#ifdef UNDERWATER
-uniform float refractionDistance; // m of eq. 13
-#else
 uniform int refractionSteps;
 #endif
+#ifdef UNDERWATER
+uniform float refractionDistance; // m of eq. 13
 #endif
 #ifdef REFLECTION
 uniform sampler2D reflectionColour;
@@ -40,7 +39,7 @@ struct Transmitted {
 // The texel that a camera sees a point at. Behind the camera there is none; the nearest is the target's border.
 vec2 texelOf(vec4 clip) { return clip.xy / max(clip.w, 1.0e-6) * 0.5 + 0.5; }
 
-#if defined(REFRACTION) && !defined(UNDERWATER)
+#ifdef REFRACTION
 vec2 refractionTexel(vec3 positionR) { return texelOf(refractionClipFromView * vec4(positionR, 1.0)); }
 
 float refractionZ(vec3 positionR)
@@ -49,6 +48,7 @@ float refractionZ(vec3 positionR)
     return viewZFromDepth(depth, refractionNearFar.x, refractionNearFar.y);
 }
 
+#ifndef UNDERWATER
 // Section 7.1 in the refraction camera's view space, whose eye is the origin.
 Transmitted lookupBed(vec3 refracted)
 {
@@ -73,6 +73,39 @@ Transmitted lookupBed(vec3 refracted)
     return t;
 }
 #endif
+#endif
+
+#ifdef UNDERWATER
+// Radiance in the air along a ray that leaves the water, and the point W that it is taken from.
+vec3 lookupAir(vec3 refracted, out vec3 hit)
+{
+    hit = surfaceW + refractionDistance * refracted; // eq. 13
+    vec3 sky = texture(skyMap, refracted).rgb;
+#ifdef REFRACTION
+    vec3 u = (refractionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
+    u.z = min(u.z, -1.0e-3);
+#ifdef PAPER
+    vec3 w = (refractionViewFromWorld * vec4(hit, 1.0)).xyz;
+    float known = step(w.z, 0.0);
+#else
+    // Section 7.1 again, now for what stands over the water.
+    vec3 r = normalize(mat3(refractionViewFromWorld) * refracted);
+    IntersectionState s = intersectionBegin(u, r, seenThrough(u, refractionZ(u)));
+    for (int i = 1; i < refractionSteps; ++i) s = intersectionStep(s, refractionZ(s.W));
+    vec3 w = s.best;
+    hit = (worldFromRefractionView * vec4(w, 1.0)).xyz;
+    // The far plane holds no point, and one that is far off the ray is not what the ray meets: only the sky is left.
+    float known = texture(refractionDepth, refractionTexel(w)).r < 1.0 ? 1.0 : 0.0;
+    known *= 1.0 - smoothstep(0.25, 0.75, s.bestDistance / max(distance(s.bestA, u), 1.0e-6));
+#endif
+    // The target holds what the eye's own frustum holds; past its border only the sky is known.
+    vec2 texel = refractionTexel(w);
+    vec2 inside = smoothstep(vec2(0.0), vec2(0.04), texel) * smoothstep(vec2(0.0), vec2(0.04), 1.0 - texel);
+    sky = mix(sky, texture(refractionColour, texel).rgb, known * inside.x * inside.y);
+#endif
+    return sky;
+}
+#endif
 
 vec3 reflectedRadiance(vec3 reflected)
 {
@@ -93,23 +126,16 @@ void main()
     vec3 toEye = normalize(eye - surfaceW);
     vec3 down = -surface.normal;
     float cosine = max(dot(toEye, down), 0.0);
+#ifdef PAPER
+    float fresnel = fresnelSchlick(cosine, ior, schlickExponent); // n1 and n2 may change places in eq. 8
+    vec3 refracted = refractRayOfPaper(toEye, surface.normal, ior);
+#else
     float fresnel = fresnelExact(cosine, ior);
-
     vec3 refracted = refractRay(-toEye, down, ior); // zero beyond the critical angle, where fresnel is 1
+#endif
     vec3 hit = surfaceW;
     vec3 above = vec3(0.0);
-    if (fresnel < 1.0) {
-        above = texture(skyMap, refracted).rgb;
-#ifdef REFRACTION
-        hit = surfaceW + refractionDistance * refracted; // eq. 13
-        vec4 clip = refractionClipFromView * (refractionViewFromWorld * vec4(hit, 1.0));
-        vec2 texel = texelOf(clip);
-        // The target holds what the eye's own frustum holds; past its border only the sky is known.
-        vec2 inside = smoothstep(vec2(0.0), vec2(0.04), texel) * smoothstep(vec2(0.0), vec2(0.04), 1.0 - texel);
-        above = mix(above, texture(refractionColour, texel).rgb, inside.x * inside.y * step(0.0, clip.w));
-#endif
-        above *= ior * ior; // radiance grows by n² into the denser medium
-    }
+    if (fresnel < 1.0) above = ior * ior * lookupAir(refracted, hit); // radiance grows by n² into the denser medium
     vec3 below = reflectedRadiance(reflectRay(-toEye, down));
     float path = distance(surfaceW, eye);
     vec3 a = beerLambert(absorption, path);

@@ -20,6 +20,14 @@ SHARED vec3 refractRay(vec3 incident, vec3 normal, float eta)
     return eta * incident - (eta * cosIncident + sqrt(k)) * normal;
 }
 
+// How Mihálik 2008, eq. 12, bends the ray from an eye under water: right to first order about the normal, of no
+// particular length, and without total internal reflection.
+// toEye: E, unit, from the surface; normal: N, unit, up out of the water.
+SHARED vec3 refractRayOfPaper(vec3 toEye, vec3 normal, float ior)
+{
+    return ior * (-normal - toEye) + normal;
+}
+
 // The mirrored direction. The sign of the normal does not matter.
 SHARED vec3 reflectRay(vec3 incident, vec3 normal)
 {

@@ -19,12 +19,13 @@ nlohmann::json toJson(const FramePlan& plan)
         }
         passes.push_back(std::move(entry));
     }
-    return {{"underwater", plan.underwater}, {"passes", std::move(passes)}};
+    return {{"underwater", plan.underwater}, {"crossing", plan.side == WaterSide::crossing}, {"passes", std::move(passes)}};
 }
 
 std::string toTable(const FramePlan& plan)
 {
     std::string text = fmt::format("the eye is {}\n", plan.underwater ? "under water" : "above the water");
+    if (plan.side == WaterSide::crossing) text += "the surface cuts the near plane: each pixel takes its own side\n";
     for (std::size_t i = 0; i < passCount; ++i) {
         const PassPlan& pass = plan.passes[i];
         const std::string size = pass.wanted ? fmt::format("{}x{}", pass.size.x, pass.size.y) : "";

@@ -2,7 +2,10 @@
 
 #include "optics/waves.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace tarn {
 
@@ -41,6 +44,50 @@ float surfaceHeight(const WaterBody& water, vec2 xz, double time)
     return static_cast<float>(height);
 }
 
+float drawnHeight(const WaterBody& water, int gridSize, vec2 xz, double time)
+{
+    std::vector<optics64::WaveTerm> terms;
+    for (const Wave& wave : water.waves)
+        terms.push_back(
+            optics64::makeWaveTerm(wave.amplitude, wave.wavelength, wave.direction, wave.phase, wave.period));
+    const glm::dvec4 rect(water.centre.x, water.centre.y, 0.5f * water.extent.x, 0.5f * water.extent.y);
+    return static_cast<float>(water.level + optics64::gridHeight(terms.data(), static_cast<int>(terms.size()),
+                                                                 glm::dvec2(xz), time, rect, gridSize));
+}
+
+WaterSide waterSide(const WaterBody& water, int gridSize, const Camera& camera, float aspect, double time)
+{
+    const mat4 worldFromView = glm::inverse(viewFromWorld(camera));
+    const float up = camera.nearPlane * std::tan(0.5f * camera.verticalFov);
+    const vec3 centre(worldFromView * vec4(0.0f, 0.0f, -camera.nearPlane, 1.0f));
+    Bounds plane;
+    for (const vec2 corner : {vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1)})
+        plane.add(vec3(worldFromView * vec4(corner.x * aspect * up, corner.y * up, -camera.nearPlane, 1.0f)));
+
+    const vec2 half = 0.5f * water.extent;
+    const vec2 lower = water.centre - half;
+    const vec2 upper = water.centre + half;
+    if (plane.upper.x < lower.x || plane.lower.x > upper.x || plane.upper.z < lower.y || plane.lower.z > upper.y)
+        return WaterSide::above;
+    const bool inside = plane.lower.x >= lower.x && plane.upper.x <= upper.x && plane.lower.z >= lower.y &&
+                        plane.upper.z <= upper.y;
+
+    // From the height under the middle no point of the plane is further than its half diagonal. A facet is as steep as
+    // the waves along either of its legs, and so at most √2 times as steep in between.
+    float slope = 0.0f;
+    for (const Wave& wave : water.waves)
+        slope += std::abs(wave.amplitude) * 2.0f * std::numbers::pi_v<float> / wave.wavelength;
+    constexpr float rounding = 1.0e-3f; // m: float positions far from the origin
+    const float reach = up * std::sqrt(1.0f + aspect * aspect);
+    const float change = std::numbers::sqrt2_v<float> * slope * reach;
+    const float amplitude = totalAmplitude(water);
+    const float height = drawnHeight(water, gridSize, vec2(centre.x, centre.z), time);
+    if (plane.lower.y > std::min(height + change, water.level + amplitude) + rounding) return WaterSide::above;
+    if (inside && plane.upper.y < std::max(height - change, water.level - amplitude) - rounding)
+        return WaterSide::below;
+    return WaterSide::crossing;
+}
+
 namespace {
 
 bool overWaterRect(const WaterBody& water, const vec3& pointW)
@@ -74,7 +121,7 @@ std::string whyNoGlow(const Scene& scene, const FramePlan& plan, const Options& 
     if (options.glow.strength == 0.0f) return "glow.strength is 0";
     if (!scene.sun) return "the scene has no sun";
     if (scene.sun->direction.y <= 0.0f) return "the sun is below the horizon";
-    if (plan.underwater) return "the eye is under water";
+    if (plan.side == WaterSide::below) return "the eye is under water";
     return "";
 }
 
@@ -94,7 +141,7 @@ std::string whyNoCaustics(const Scene& scene, const FramePlan& plan, const std::
 {
     if (!options.caustics.enabled) return "caustics.enabled is off";
     if (const std::string noSun = whyNoSun(scene); !noSun.empty()) return noSun;
-    if (plan.underwater) return "";
+    if (plan.side != WaterSide::above) return ""; // the bed is seen directly
     if (!noWater.empty()) return noWater;
     if (!options.refraction.enabled) return "refraction.enabled is off: the bed is not seen";
     return "";
@@ -133,6 +180,17 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
                       overWaterRect(water, camera.eye) &&
                       camera.eye.y < surfaceHeight(water, vec2(camera.eye.x, camera.eye.z), time);
 
+    if (water.present && options.water.enabled && options.underwater.enabled) {
+        const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+        plan.side = waterSide(water, options.water.gridSize, camera, aspect, time);
+        if (plan.side != WaterSide::crossing) plan.underwater = plan.side == WaterSide::below;
+    }
+    const auto bySide = [&plan](const char* above, const char* crossing, const char* below) {
+        return plan.side == WaterSide::above ? above : plan.side == WaterSide::crossing ? crossing : below;
+    };
+    if (plan.side == WaterSide::crossing)
+        plan[PassId::scene].reason = "what the eye sees, without the water; each pixel on its side of the waterline";
+
     const std::string noWater = whyNoWater(water, camera, options, size);
     planSunlight(plan, scene, noWater, options);
     if (!noWater.empty()) {
@@ -141,16 +199,20 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
         return plan;
     }
 
-    plan[PassId::water] = wanted(plan.underwater ? "the surface seen from below" : "the surface is in the view",
+    plan[PassId::water] = wanted(bySide("the surface is in the view",
+                                        "the surface cuts the near plane: drawn from both sides",
+                                        "the surface seen from below"),
                                  size, "scene, refraction, reflection");
     plan[PassId::refraction] =
         options.refraction.enabled
-            ? wanted(plan.underwater ? "what stands over the water, seen from below" : "the bed under the surface",
+            ? wanted(bySide("the bed under the surface", "both the bed and, from below, what stands over the water",
+                            "what stands over the water, seen from below"),
                      ivec2(options.refraction.targetSize), "")
             : unwanted("refraction.enabled is off: the water shows its own colour");
     plan[PassId::reflection] =
         options.reflection.enabled
-            ? wanted(plan.underwater ? "the bed mirrored in the surface from below" : "what the surface mirrors",
+            ? wanted(bySide("what the surface mirrors", "what the surface mirrors, from above and from below",
+                            "the bed mirrored in the surface from below"),
                      ivec2(options.reflection.targetSize), "")
             : unwanted("reflection.enabled is off: the water mirrors the sky alone");
     const std::string noGlow = whyNoGlow(scene, plan, options);

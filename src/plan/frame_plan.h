@@ -23,9 +23,17 @@ struct PassPlan {
     std::string dependsOn;    ///< the passes whose targets it reads
 };
 
+/// Which side of the moving surface a frame shows.
+enum class WaterSide {
+    above,
+    crossing, ///< the surface may cut the near plane: each pixel takes the side that it is on
+    below,
+};
+
 struct FramePlan {
     std::array<PassPlan, passCount> passes;
     bool underwater = false; ///< the eye is below the water's surface (and underwater.enabled is on)
+    WaterSide side = WaterSide::above; ///< of the near plane, where pictures begin
 
     const PassPlan& operator[](PassId pass) const { return passes[static_cast<std::size_t>(pass)]; }
     PassPlan& operator[](PassId pass) { return passes[static_cast<std::size_t>(pass)]; }
@@ -39,6 +47,13 @@ Bounds waterBounds(const WaterBody& water);
 
 /// Height of the moving surface over (x, z), world y in metres, at a time in seconds.
 float surfaceHeight(const WaterBody& water, vec2 xz, double time);
+
+/// The same of the surface as it is drawn, by a grid of gridSize x gridSize vertices.
+float drawnHeight(const WaterBody& water, int gridSize, vec2 xz, double time);
+
+/// Where the near plane is, to the safe side: plainly above or below only when the drawn surface cannot cut it.
+/// @param aspect width / height of the picture   @param time seconds
+WaterSide waterSide(const WaterBody& water, int gridSize, const Camera& camera, float aspect, double time);
 
 /// @param size of the picture, pixels   @param time seconds
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,

@@ -14,6 +14,7 @@ constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative"};
 constexpr std::array refractionCameraNames{"main", "snell"};
 constexpr std::array causticsMethodNames{"cpu", "points", "fetch", "mesh"};
+constexpr std::array underwaterRefractionNames{"paper", "exact"};
 constexpr std::array depthFormatNames{"depth16", "depth24", "depth32f"};
 
 void visit(FieldVisitor& v, FrameOptions& o)
@@ -112,6 +113,8 @@ void visit(FieldVisitor& v, UnderwaterOptions& o)
     v.field(
         {"enabled", "What an eye under water sees: haze of the water, and the world through Snell's window"},
         o.enabled);
+    v.choice({"refraction", "How rays leave the water: as published (eq. 12), or by Snell with total reflection"},
+             o.refraction, underwaterRefractionNames);
     v.field({"distance",
              "m of W = U + mR: how far along its rays the surface looks from below (eqs. 13 and 15)", "m",
              0.0, 100.0},

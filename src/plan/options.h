@@ -69,7 +69,9 @@ struct CausticsOptions {
     float extent = 0.0f;
 };
 struct UnderwaterOptions {
+    enum class Refraction { paper, exact };
     bool enabled = true;
+    Refraction refraction = Refraction::exact;
     float distance = 1.5f; ///< m of eqs. 13 and 15
 };
 struct GlowOptions {

@@ -15,6 +15,7 @@
 #include "render/passes/scene_pass.h"
 #include "render/passes/sunlight.h"
 #include "render/passes/water.h"
+#include "render/passes/waterline.h"
 #include "render/pixel_check.h"
 #include "render/sun_views.h"
 
@@ -62,7 +63,8 @@ std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
 struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
         : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, anisotropyFor(o.frame), progress),
-          painter(gpuScene, shaders), causticsPass(shaders), waterPass(shaders), glowPass(shaders), presentPass(shaders), debugCopy(shaders)
+          painter(gpuScene, shaders), causticsPass(shaders), waterPass(shaders), waterline(shaders),
+          glowPass(shaders), presentPass(shaders), debugCopy(shaders)
     {
     }
 
@@ -87,9 +89,12 @@ struct Renderer::State {
     CausticsPass causticsPass;
     RefractionPass refraction;
     ReflectionPass reflection;
+    RefractionPass refractionBelow; ///< of the pixels under water, in a frame that shows both sides
+    ReflectionPass reflectionBelow;
     ScenePass scenePass;
     WaterGrid waterGrid;
     WaterPass waterPass;
+    WaterlinePass waterline;
     GlowPass glowPass;
     PresentPass presentPass;
     DebugCopyPass debugCopy;
@@ -102,6 +107,9 @@ struct Renderer::State {
 
     // Of this frame.
     View main, refractionView, reflectionView;
+    View refractionViewBelow, reflectionViewBelow;
+    bool isBelow = false;    ///< all of the picture begins under water
+    bool isCrossing = false; ///< some of it does: the views above are of the air's side, those Below of the water's
     blocks::FrameBlock light{};
     SunVolume volume;
     CausticsRegion region;
@@ -176,10 +184,15 @@ void Renderer::State::beginFrame(const FrameInput& input)
     bad.clear();
     glow = nullptr;
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
-    const bool underwater = stats.plan.underwater;
+    isBelow = stats.plan.side == WaterSide::below;
+    isCrossing = stats.plan.side == WaterSide::crossing;
     main = mainView(input.camera, aspect);
-    refractionView = tarn::refractionView(input.camera, aspect, water, options.refraction, underwater);
-    reflectionView = tarn::reflectionView(input.camera, aspect, water, options.reflection, underwater);
+    refractionView = tarn::refractionView(input.camera, aspect, water, options.refraction, isBelow);
+    reflectionView = tarn::reflectionView(input.camera, aspect, water, options.reflection, isBelow);
+    if (isCrossing) {
+        refractionViewBelow = tarn::refractionView(input.camera, aspect, water, options.refraction, true);
+        reflectionViewBelow = tarn::reflectionView(input.camera, aspect, water, options.reflection, true);
+    }
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     frameBlock.update(light);
     wavesBlock.update(tarn::wavesBlock(water, input.time));
@@ -259,21 +272,33 @@ void Renderer::State::drawRefraction()
 {
     gl::PassScope scope(profiler, passName(PassId::refraction));
     FrameStats::Pass& pass = beginPass(PassId::refraction, refractionView, stats.plan[PassId::refraction].size);
-    const RefractionPass::Inputs inputs{.view = refractionView,
-                                        .underwater = stats.plan.underwater,
-                                        .deepRadiance = light.deepRadiance,
-                                        .cull = options.frame.cullChunks,
-                                        .style = lit};
-    check(PassId::refraction, refraction.draw(painter, options.refraction, inputs, pass));
+    const auto draw = [&](RefractionPass& side, const View& view, bool underwater) {
+        const RefractionPass::Inputs inputs{.view = view,
+                                            .underwater = underwater,
+                                            .deepRadiance = light.deepRadiance,
+                                            .cull = options.frame.cullChunks,
+                                            .style = lit};
+        check(PassId::refraction, side.draw(painter, options.refraction, inputs, pass));
+    };
+    draw(refraction, refractionView, isBelow);
+    if (!isCrossing) return;
+    viewBlock.update(tarn::viewBlock(refractionViewBelow, stats.plan[PassId::refraction].size));
+    draw(refractionBelow, refractionViewBelow, true);
 }
 
 void Renderer::State::drawReflection()
 {
     gl::PassScope scope(profiler, passName(PassId::reflection));
     FrameStats::Pass& pass = beginPass(PassId::reflection, reflectionView, stats.plan[PassId::reflection].size);
-    const ReflectionPass::Inputs inputs{
-        .view = reflectionView, .underwater = stats.plan.underwater, .cull = options.frame.cullChunks, .style = lit};
-    check(PassId::reflection, reflection.draw(painter, options.reflection, inputs, pass));
+    const auto draw = [&](ReflectionPass& side, const View& view, bool underwater) {
+        const ReflectionPass::Inputs inputs{
+            .view = view, .underwater = underwater, .cull = options.frame.cullChunks, .style = lit};
+        check(PassId::reflection, side.draw(painter, options.reflection, inputs, pass));
+    };
+    draw(reflection, reflectionView, isBelow);
+    if (!isCrossing) return;
+    viewBlock.update(tarn::viewBlock(reflectionViewBelow, stats.plan[PassId::reflection].size));
+    draw(reflectionBelow, reflectionViewBelow, true);
 }
 
 void Renderer::State::drawScene(const FrameInput& input)
@@ -286,14 +311,15 @@ void Renderer::State::drawScene(const FrameInput& input)
                   .samples = raw ? 1 : options.frame.msaa});
 
     ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.frame.cullChunks};
-    inputs.style.underwaterEye = stats.plan.underwater;
-    inputs.style.sunDisc = !stats.plan.underwater;
+    inputs.style.underwaterEye = isBelow;
+    inputs.style.sunDisc = !isBelow;
     inputs.style.alphaToCoverage = frame.isMultisampled();
     inputs.style.debugNormals = input.view == DebugView::normals;
     inputs.style.sky = !raw;
-    if (stats.plan[PassId::water].wanted && !stats.plan.underwater && input.view != DebugView::sceneDepth)
+    if (stats.plan[PassId::water].wanted && stats.plan.side == WaterSide::above && input.view != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
     FrameStats::Pass& pass = beginPass(PassId::scene, main, input.size);
+    if (isCrossing) inputs.style.waterline = &waterline.draw(main, options.water.gridSize, input.size);
     scenePass.draw(painter, frame, inputs, pass);
     if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));
     if (!raw) check(PassId::scene, frame);
@@ -304,15 +330,25 @@ void Renderer::State::drawWater(const FrameInput& input)
     gl::PassScope scope(profiler, passName(PassId::water));
     const bool refracts = stats.plan[PassId::refraction].wanted;
     const bool reflects = stats.plan[PassId::reflection].wanted;
-    const WaterPass::Inputs inputs{.refraction = refracts ? &refraction.target() : nullptr,
-                                   .refractionView = &refractionView,
-                                   .reflection = reflects ? &reflection.target() : nullptr,
-                                   .reflectionView = &reflectionView,
-                                   .skyMap = gpuScene.skyMap(),
-                                   .underwater = stats.plan.underwater,
-                                   .view = input.view};
+    WaterPass::Inputs inputs{.refraction = refracts ? &refraction.target() : nullptr,
+                             .refractionView = &refractionView,
+                             .reflection = reflects ? &reflection.target() : nullptr,
+                             .reflectionView = &reflectionView,
+                             .skyMap = gpuScene.skyMap(),
+                             .underwater = isBelow,
+                             .view = input.view};
+    if (isCrossing) inputs.cull = gl::Cull::back; // whatever is in front is seen from above
     FrameStats::Pass& pass = beginPass(PassId::water, main, input.size);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
+    if (isCrossing) {
+        if (refracts) inputs.refraction = &refractionBelow.target();
+        inputs.refractionView = &refractionViewBelow;
+        if (reflects) inputs.reflection = &reflectionBelow.target();
+        inputs.reflectionView = &reflectionViewBelow;
+        inputs.underwater = true;
+        inputs.cull = gl::Cull::front;
+        waterPass.draw(frame, waterGrid, options, inputs, pass);
+    }
     if (!wantsRawValues(input.view)) check(PassId::water, frame);
 }
 

@@ -23,6 +23,7 @@ enum Feature : unsigned {
     shadows = 1u << 13,
     caustics = 1u << 14,
     depthOnly = 1u << 15,
+    waterline = 1u << 16,
 };
 
 struct FeatureName {
@@ -34,7 +35,8 @@ constexpr FeatureName featureNames[] = {
     {alphaMap, "ALPHA_MAP"},       {alphaTest, "ALPHA_TEST"},        {turnNormal, "TURN_NORMAL"},
     {specular, "SPECULAR"},        {clipPlane, "CLIP"},              {underwaterEye, "UNDERWATER"},
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
-    {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"}};
+    {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
+    {waterline, "WATERLINE"}};
 
 /// What decides whether a surface is there at all.
 constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane;
@@ -79,6 +81,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
 {
     if (clips) bits |= clipPlane;
     if (style.underwaterEye) bits |= underwaterEye;
+    if (style.waterline) bits |= waterline;
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
     if (style.debugNormals) bits |= debugNormals;
     if (style.shadows) bits |= shadows;
@@ -104,6 +107,7 @@ gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
     unsigned bits = 0;
     if (style.sunDisc) bits |= sunDisc;
     if (style.underwaterEye) bits |= underwaterEye;
+    if (style.waterline) bits |= waterline;
     auto& program = skyPrograms_[bits];
     if (!program) program = shaders_.program("sky", "passes/sky.vert", "passes/sky.frag", definesOf(bits));
     return *program;
@@ -170,6 +174,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         const bool newProgram = &program != lastProgram;
         if (newProgram) {
             program.use();
+            if (style.waterline) program.texture("waterline", *style.waterline);
             if (style.shadows) {
                 program.texture("afloatDepth", *sunMaps_.afloat);
                 program.texture("submergedDepth", *sunMaps_.submerged);
@@ -198,6 +203,7 @@ void ScenePainter::drawSky(const PaintStyle& style)
     gl::Program& program = skyProgram(style);
     program.use();
     if (!style.underwaterEye) program.texture("skyMap", scene_.skyMap());
+    if (style.waterline) program.texture("waterline", *style.waterline);
     triangle_.draw();
 }
 

@@ -14,6 +14,7 @@ namespace tarn {
 /// How a view of the scene differs from the plain one.
 struct PaintStyle {
     bool underwaterEye = false;   ///< between eye and submerged things there is water
+    const gl::Texture* waterline = nullptr; ///< or only where this says so, pixel by pixel (passes/waterline.h)
     bool sunDisc = false;         ///< the sky shows the sun itself
     bool alphaToCoverage = false; ///< the target has several samples: foliage edges use them
     bool debugNormals = false;    ///< world-space normals in place of radiance

@@ -1,7 +1,5 @@
 #include "render/passes/water.h"
 
-#include "gl/state.h"
-
 namespace tarn {
 
 namespace {
@@ -24,6 +22,8 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
 {
     gl::Defines defines{{"DEBUG_VIEW", std::to_string(debugCode(inputs.view))}};
     if (inputs.underwater) defines.emplace_back("UNDERWATER", "1");
+    if (inputs.underwater && options.underwater.refraction == UnderwaterOptions::Refraction::paper)
+        defines.emplace_back("PAPER", "1");
     if (inputs.refraction) defines.emplace_back("REFRACTION", "1");
     if (inputs.reflection) defines.emplace_back("REFLECTION", "1");
     if (options.refraction.method == RefractionOptions::Method::iterative) defines.emplace_back("ITERATIVE", "1");
@@ -37,7 +37,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
 void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& options, const Inputs& inputs,
                      FrameStats::Pass& stats)
 {
-    gl::apply({});
+    gl::apply({.cull = inputs.cull});
     frame.bind();
     gl::Program& p = program(options, inputs);
     p.use();
@@ -48,15 +48,12 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         p.texture("refractionColour", inputs.refraction->colour());
         p.set("refractionViewFromWorld", view.viewFromWorld);
         p.set("refractionClipFromView", view.clipFromView);
-        if (inputs.underwater) {
-            p.set("refractionDistance", options.underwater.distance);
-        } else {
-            p.texture("refractionDepth", inputs.refraction->depth());
-            p.set("worldFromRefractionView", glm::inverse(view.viewFromWorld));
-            p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
-            p.set("refractionSteps", options.refraction.steps);
-        }
+        p.texture("refractionDepth", inputs.refraction->depth());
+        p.set("worldFromRefractionView", glm::inverse(view.viewFromWorld));
+        p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
+        p.set("refractionSteps", options.refraction.steps);
     }
+    if (inputs.underwater) p.set("refractionDistance", options.underwater.distance);
     if (inputs.reflection) {
         p.texture("reflectionColour", inputs.reflection->colour());
         p.set("reflectionClipFromWorld", inputs.reflectionView->clipFromWorld());

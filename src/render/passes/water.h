@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/shader_library.h"
+#include "gl/state.h"
 #include "gl/target.h"
 #include "plan/options.h"
 #include "render/renderer.h"
@@ -23,7 +24,8 @@ public:
         const gl::Target* reflection = nullptr; ///< null: the sky
         const View* reflectionView = nullptr;
         const gl::Texture& skyMap;
-        bool underwater = false;
+        bool underwater = false;          ///< the surface is seen from below
+        gl::Cull cull = gl::Cull::none;    ///< in a frame that shows both sides: the one that is not drawn
         DebugView view = DebugView::final;
     };
 
