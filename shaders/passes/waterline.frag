@@ -3,7 +3,7 @@
 // Red is for what a pixel shows past the surface. There a pixel on the line takes the side of those of its samples that
 // the surface leaves open: where rays go down, the ones that begin below it, and where they go up, the ones above.
 // Green marks the pixels on the line. The water in them goes sample by sample: a ray that begins above meets the
-// surface's upper side first, and one that begins below its lower side. Elsewhere its side is red's, for along a crest's
+// surface's upper side first, and one that begins below its lower side. Elsewhere its side is red's: along a crest's
 // silhouette rounding lets a sample of the facet behind through.
 #include "shared/blocks.glsl"
 #include "shared/waves.glsl"
