@@ -447,6 +447,34 @@ TEST_P(SweepThrough, NothingFlashes)
     EXPECT_GT(*least, 0.1 * *most);
 }
 
+// Several samples a pixel: on the line none may show the bed as if the water were not there, nor the bare background.
+TEST_P(SweepThrough, NoSampleOnTheLineIsBare)
+{
+    const Scene scene = sweepScene();
+    Options options = plain();
+    Studio single(scene, options);
+    options.frame.msaa = 4;
+    Studio several(scene, options);
+    for (int step = 35; step <= 65; ++step) {
+        const Image one = single.linear(sweepCamera(step, GetParam()), sweepSize, sweepTime(step));
+        if (single.stats.plan.side != WaterSide::crossing) continue;
+        const Image four = several.linear(sweepCamera(step, GetParam()), sweepSize, sweepTime(step));
+        float mostGreen = 0.0f;
+        float leastRed = 1.0f;
+        for (int y = 0; y < sweepSize.y; ++y) {
+            for (int x = 0; x < sweepSize.x; ++x) {
+                mostGreen = std::max(mostGreen, pixel(one, x, y).y);
+                leastRed = std::min(leastRed, pixel(one, x, y).x);
+            }
+        }
+        int bare = 0;
+        for (int y = 0; y < sweepSize.y; ++y)
+            for (int x = 0; x < sweepSize.x; ++x)
+                if (pixel(four, x, y).y > mostGreen + 0.01f || pixel(four, x, y).x < 0.9f * leastRed) ++bare;
+        EXPECT_EQ(bare, 0) << "step " << step;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Views, SweepThrough, testing::Values(0.0f, 0.4f, -0.4f), [](const auto& test) {
     return test.param == 0.0f ? "along" : test.param > 0.0f ? "down" : "up";
 });
