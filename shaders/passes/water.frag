@@ -28,6 +28,10 @@ uniform float reflectionDistance; // c of eq. 6
 #endif
 uniform float schlickExponent; // q of eq. 7
 
+#ifdef WATERLINE
+uniform sampler2D waterline; // which pixels are under water, and which on the line: waterline.frag
+#endif
+
 out vec4 fragment;
 
 struct Transmitted {
@@ -165,6 +169,17 @@ void main()
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
     float glintFresnel = fresnelSchlick(max(dot(toEye, normalize(toEye + sunDirection)), 0.0), ior, schlickExponent);
     radiance += sunGlint(sunIrradiance, glintFresnel, surface.normal, toEye, sunDirection, surface.roughness);
+#endif
+
+#ifdef WATERLINE
+    // The surface is drawn once for either side. Not before the end: what follows a discard has no derivatives.
+    vec2 side = texelFetch(waterline, ivec2(gl_FragCoord.xy), 0).rg;
+    bool isFromBelow = side.g > 0.5 ? !gl_FrontFacing : side.r > 0.5;
+#ifdef UNDERWATER
+    if (!isFromBelow) discard;
+#else
+    if (isFromBelow) discard;
+#endif
 #endif
 
 #if DEBUG_VIEW == 1

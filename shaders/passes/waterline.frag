@@ -1,9 +1,10 @@
 // Which side of the surface each pixel is on, where the near plane cuts it: 1 where the picture begins under water.
 //
-// The water itself needs no mask: a ray that begins above meets the surface's upper side first, and one that begins
-// below its lower side, sample by sample. The mask is for what a pixel shows past the surface. There a pixel on the
-// line takes the side of those of its samples that the surface leaves open: where rays go down, the ones that begin
-// below it, and where they go up, the ones above.
+// Red is for what a pixel shows past the surface. There a pixel on the line takes the side of those of its samples that
+// the surface leaves open: where rays go down, the ones that begin below it, and where they go up, the ones above.
+// Green marks the pixels on the line. The water in them goes sample by sample: a ray that begins above meets the
+// surface's upper side first, and one that begins below its lower side. Elsewhere its side is red's: along a crest's
+// silhouette rounding lets a sample of the facet behind through.
 #include "shared/blocks.glsl"
 #include "shared/waves.glsl"
 
@@ -26,5 +27,5 @@ void main()
     bool sinks = heightOver(p + 0.01 * (p - eye)) < height;
     bool isUnder = height < (sinks ? halfPixel : -halfPixel);
     bool isInside = all(lessThanEqual(abs(p.xz - waterRect.xy), waterRect.zw));
-    fragment = vec4(isUnder && isInside ? 1.0 : 0.0);
+    fragment = vec4(isUnder && isInside ? 1.0 : 0.0, abs(height) < 3.0 * halfPixel ? 1.0 : 0.0, 0.0, 1.0);
 }

@@ -103,6 +103,7 @@ struct Renderer::State {
     bool checking = false;
     std::vector<BadPixels> bad;
     const gl::Target* glow = nullptr;  ///< of this frame, or null
+    const gl::Texture* sideOfPixels = nullptr; ///< of a frame that shows both sides of the surface, or null
     const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
 
     // Of this frame.
@@ -183,6 +184,7 @@ void Renderer::State::beginFrame(const FrameInput& input)
     stats = FrameStats{planFrame(scene, water, input.camera, options, input.size, input.time), {}};
     bad.clear();
     glow = nullptr;
+    sideOfPixels = nullptr;
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     isBelow = stats.plan.side == WaterSide::below;
     isCrossing = stats.plan.side == WaterSide::crossing;
@@ -319,7 +321,8 @@ void Renderer::State::drawScene(const FrameInput& input)
     if (stats.plan[PassId::water].wanted && stats.plan.side == WaterSide::above && input.view != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
     FrameStats::Pass& pass = beginPass(PassId::scene, main, input.size);
-    if (isCrossing) inputs.style.waterline = &waterline.draw(main, options.water.gridSize, input.size);
+    if (isCrossing) sideOfPixels = &waterline.draw(main, options.water.gridSize, input.size);
+    inputs.style.waterline = sideOfPixels;
     scenePass.draw(painter, frame, inputs, pass);
     if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));
     if (!raw) check(PassId::scene, frame);
@@ -337,7 +340,7 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .skyMap = gpuScene.skyMap(),
                              .underwater = isBelow,
                              .view = input.view};
-    if (isCrossing) inputs.cull = gl::Cull::back; // whatever is in front is seen from above
+    if (isCrossing) inputs.waterline = sideOfPixels;
     FrameStats::Pass& pass = beginPass(PassId::water, main, input.size);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
     if (isCrossing) {
@@ -346,7 +349,6 @@ void Renderer::State::drawWater(const FrameInput& input)
         if (reflects) inputs.reflection = &reflectionBelow.target();
         inputs.reflectionView = &reflectionViewBelow;
         inputs.underwater = true;
-        inputs.cull = gl::Cull::front;
         waterPass.draw(frame, waterGrid, options, inputs, pass);
     }
     if (!wantsRawValues(input.view)) check(PassId::water, frame);

@@ -67,6 +67,19 @@ TEST(Snell, EqualMediaLeaveTheRayAlone)
     }
 }
 
+TEST(RefractRayOfPaper, IsSnellsNearTheNormalAndNeverZero)
+{
+    // R1 = n(-N - E) + N; E points down to the eye, as falling() does.
+    for (double angle = 0.0; angle < 90.0; angle += 1.0) {
+        const dvec3 ray = optics64::refractRayOfPaper(falling(angle * degree), up, n);
+        const dvec3 expected(-n * std::sin(angle * degree), 1.0 - n * (1.0 - std::cos(angle * degree)), 0.0);
+        EXPECT_LT(glm::length(ray - expected), 1e-14) << angle;
+        EXPECT_GT(glm::length(ray), 0.9) << angle;
+    }
+    const dvec3 paper = glm::normalize(optics64::refractRayOfPaper(falling(2.0 * degree), up, n));
+    EXPECT_LT(glm::length(paper - optics64::refractRay(-falling(2.0 * degree), -up, n)), 1e-3);
+}
+
 TEST(Reflection, MirrorsTheRayWhicheverWayTheNormalPoints)
 {
     const dvec3 incident = falling(0.7);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tarn {
@@ -165,6 +166,56 @@ TEST(FramePlan, TheEyeIsUnderTheMovingSurfaceNotTheLevel)
     EXPECT_TRUE(under({7.5f, 0.6f, 0.0f}, 1.0));
     // Beside the water's rectangle there is none to be under.
     EXPECT_FALSE(under({2.5f, 0.0f, 11.0f}, 0.0));
+}
+
+TEST(FramePlan, TheNearPlaneIsAboveBelowOrCutByTheSurface)
+{
+    WaterBody water = lake();
+    const auto planAt = [&](const vec3& eye, const Options& options = {}) {
+        return planFor(water, cameraAt(eye, eye + vec3(0, 0, -1)), options);
+    };
+    const auto side = [&](const vec3& eye) { return planAt(eye).side; };
+    // Still water: the near plane reaches 0.1 tan(fov / 2) = 0.046 m up and down.
+    EXPECT_EQ(side({2.5f, 1.05f, 0.0f}), WaterSide::above);
+    EXPECT_EQ(side({2.5f, 1.04f, 0.0f}), WaterSide::crossing);
+    EXPECT_EQ(side({2.5f, 0.96f, 0.0f}), WaterSide::crossing);
+    EXPECT_EQ(side({2.5f, 0.95f, 0.0f}), WaterSide::below);
+    EXPECT_EQ(side({2.5f, 0.95f, 11.0f}), WaterSide::above) << "beside the water";
+    EXPECT_EQ(side({2.5f, 0.5f, 10.0f}), WaterSide::below) << "the eye is on the edge, the near plane within";
+    EXPECT_EQ(side({-15.0f, 0.5f, 0.0f}), WaterSide::crossing) << "half of the near plane is beside the water";
+
+    const FramePlan crossing = planAt({2.5f, 0.98f, 0.0f});
+    EXPECT_TRUE(crossing.underwater) << "the eye itself";
+    EXPECT_NE(crossing[PassId::water].reason.find("both sides"), std::string::npos);
+    expectReasons(crossing);
+    Options off;
+    off.underwater.enabled = false;
+    EXPECT_EQ(planAt({2.5f, 0.5f, 0.0f}, off).side, WaterSide::above);
+
+    // Big waves: above the level in a trough, below it under a crest; never missed where the surface cuts.
+    water.waves = {{0.5f, 10.0f, 0.0f, 0.0f, 2.0f}, {0.1f, 2.0f, 1.0f, 0.0f, 0.0f}};
+    for (int i = 0; i < 200; ++i) {
+        const vec3 eye(-14.0f + 0.14f * static_cast<float>(i), 0.4f + 0.013f * static_cast<float>((i * 37) % 93), 0.3f);
+        float least = 1.0e9f;
+        float most = -1.0e9f;
+        for (int c = 0; c < 25; ++c) {
+            const vec2 at(static_cast<float>(c % 5) * 0.5f - 1.0f, static_cast<float>(c / 5) * 0.5f - 1.0f);
+            const vec3 p = eye + vec3(at.x * 0.0466f * 4.0f / 3.0f, at.y * 0.0466f, -0.1f);
+            const float over = p.y - drawnHeight(water, 49, vec2(p.x, p.z), 0.0);
+            least = std::min(least, over);
+            most = std::max(most, over);
+        }
+        const WaterSide planned = side(eye);
+        if (least <= 0.0f && most >= 0.0f) {
+            EXPECT_EQ(planned, WaterSide::crossing) << i;
+        }
+        if (least > 0.15f) {
+            EXPECT_EQ(planned, WaterSide::above) << i;
+        }
+        if (most < -0.15f) {
+            EXPECT_EQ(planned, WaterSide::below) << i;
+        }
+    }
 }
 
 TEST(FramePlan, SurfaceHeightKeepsItsPhaseForDays)

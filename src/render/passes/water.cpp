@@ -1,5 +1,7 @@
 #include "render/passes/water.h"
 
+#include "gl/state.h"
+
 namespace tarn {
 
 namespace {
@@ -24,6 +26,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (inputs.underwater) defines.emplace_back("UNDERWATER", "1");
     if (inputs.underwater && options.underwater.refraction == UnderwaterOptions::Refraction::paper)
         defines.emplace_back("PAPER", "1");
+    if (inputs.waterline) defines.emplace_back("WATERLINE", "1");
     if (inputs.refraction) defines.emplace_back("REFRACTION", "1");
     if (inputs.reflection) defines.emplace_back("REFLECTION", "1");
     if (options.refraction.method == RefractionOptions::Method::iterative) defines.emplace_back("ITERATIVE", "1");
@@ -37,11 +40,12 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
 void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& options, const Inputs& inputs,
                      FrameStats::Pass& stats)
 {
-    gl::apply({.cull = inputs.cull});
+    gl::apply({});
     frame.bind();
     gl::Program& p = program(options, inputs);
     p.use();
     p.texture("skyMap", inputs.skyMap);
+    if (inputs.waterline) p.texture("waterline", *inputs.waterline);
     p.set("schlickExponent", options.water.schlickExponent);
     if (inputs.refraction) {
         const View& view = *inputs.refractionView;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "gl/shader_library.h"
-#include "gl/state.h"
 #include "gl/target.h"
 #include "plan/options.h"
 #include "render/renderer.h"
@@ -24,8 +23,8 @@ public:
         const gl::Target* reflection = nullptr; ///< null: the sky
         const View* reflectionView = nullptr;
         const gl::Texture& skyMap;
-        bool underwater = false;          ///< the surface is seen from below
-        gl::Cull cull = gl::Cull::none;    ///< in a frame that shows both sides: the one that is not drawn
+        bool underwater = false; ///< the surface is seen from below
+        const gl::Texture* waterline = nullptr; ///< in a frame that shows both sides: which pixels are whose
         DebugView view = DebugView::final;
     };
 

@@ -7,7 +7,7 @@ namespace tarn {
 const gl::Texture& WaterlinePass::draw(const View& view, int gridSize, ivec2 size)
 {
     if (!program_) program_ = shaders_.program("waterline", "passes/fullscreen.vert", "passes/waterline.frag");
-    target_.ensure({.size = size, .colours = {gl::Format::r8}, .filter = gl::Filter::nearest});
+    target_.ensure({.size = size, .colours = {gl::Format::rg8}, .filter = gl::Filter::nearest});
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
     target_.bind();
     program_->use();
