@@ -215,11 +215,12 @@ void Renderer::State::drawSunlight()
 {
     gl::PassScope scope(profiler, passName(PassId::sunlight));
     FrameStats::Pass& pass = stats.passes.emplace_back(FrameStats::Pass{passName(PassId::sunlight), 0, 0});
-    const SunlightPass::Inputs inputs{volume, light.sunDirection, light.sunDirectionBelow, water.level};
+    const SunlightPass::Inputs inputs{volume, light.sunDirection, light.sunDirectionBelow, water.level,
+                                      light.hasWater > 0.5f};
     if (sunlight.isStale(inputs, options.sunlight)) {
         for (const SunLayer layer : {SunLayer::afloat, SunLayer::submerged}) {
             const vec3& toSun = layer == SunLayer::afloat ? inputs.toSun : inputs.toSunBelow;
-            const View view = sunView(volume, layer, toSun, water.level);
+            const View view = sunView(volume, layer, toSun, water, inputs.hasWater);
             viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
             sunlight.draw(layer, view, painter, options.sunlight, options.frame.cullChunks, pass);
         }

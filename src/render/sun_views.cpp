@@ -28,8 +28,10 @@ SunVolume sunVolume(const WaterBody& water, const Bounds& bounds)
     return volume;
 }
 
-View sunView(const SunVolume& volume, SunLayer layer, const vec3& toSun, float level)
+View sunView(const SunVolume& volume, SunLayer layer, const vec3& toSun, const WaterBody& water,
+             bool hasWater)
 {
+    const float level = water.level;
     const float slantX = toSun.x / toSun.y, slantZ = toSun.z / toSun.y;
     const vec2 centre = volume.rect.centre, half = volume.rect.halfExtent;
     // Rows of clipFromWorld: x - slant (y - level) and z likewise over the rectangle, heights from the top down.
@@ -43,8 +45,9 @@ View sunView(const SunVolume& volume, SunLayer layer, const vec3& toSun, float l
     view.mirrored = true; // z of the world runs up the map
     // The bed goes on a little above the level, so that the last photons before the shore find it there.
     constexpr float beach = 0.12f;
-    view.clipPlane =
-        layer == SunLayer::afloat ? vec4(0.0f, 1.0f, 0.0f, -level) : vec4(0.0f, -1.0f, 0.0f, level + beach);
+    if (hasWater)
+        view.clipPlane = layer == SunLayer::afloat ? vec4(0.0f, 1.0f, 0.0f, -level)
+                                                   : vec4(0.0f, -1.0f, 0.0f, level + beach);
     return view;
 }
 

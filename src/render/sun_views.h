@@ -31,7 +31,8 @@ enum class SunLayer { afloat, submerged };
 
 /// The parallel projection along the sun (afloat) or along the refracted sun (submerged). Depth 0 is the highest
 /// height of the volume, 1 the lowest. toSun: in the layer's medium, unit, above the horizon.
-View sunView(const SunVolume& volume, SunLayer layer, const vec3& toSun, float level);
+/// Without water all of the scene is afloat.
+View sunView(const SunVolume& volume, SunLayer layer, const vec3& toSun, const WaterBody& water, bool hasWater);
 
 /// What the caustics texture covers: the whole water when that is small, else a square about what the eye sees of it,
 /// whose size has steps of √2 and whose place has steps of a texel, so that texels and photons keep their place on the

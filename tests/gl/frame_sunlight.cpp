@@ -65,6 +65,7 @@ TEST(FrameSunlight, AShadowInTheAirLiesWhereTheSunPutsIt)
     for (const float elevation : {70.0f, 45.0f, 25.0f}) {
         Scene scene = sunlit(elevation, 0.0f);
         scene.water.present = false;
+        scene.water.level = 0.6f; // where there is no water, its level divides nothing
         addBox(scene, {2.0f, 1.0f, -0.5f}, {3.5f, 1.01f, 0.5f}, 0);
         Options options;
         options.sunlight.mapSize = 2048;

@@ -18,6 +18,7 @@ public:
         vec3 toSun;      ///< unit, above the horizon
         vec3 toSunBelow; ///< the refracted one
         float level = 0.0f;
+        bool hasWater = true; ///< else the whole scene stands in the air
         bool operator==(const Inputs&) const = default;
     };
 
