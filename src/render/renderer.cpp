@@ -203,7 +203,7 @@ void Renderer::State::beginFrame(const FrameInput& input)
 
 void Renderer::State::beginSunlight(const FrameInput& input)
 {
-    volume = sunVolume(water, bounds);
+    volume = sunVolume(water, bounds, light.sunDirection);
     region = causticsRegion(water, input.camera, options.caustics);
     sunBlock.update(tarn::sunBlock(volume, region, options));
     lit = PaintStyle{};

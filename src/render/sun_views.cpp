@@ -6,7 +6,7 @@
 
 namespace tarn {
 
-SunVolume sunVolume(const WaterBody& water, const Bounds& bounds)
+SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& toSun)
 {
     SunVolume volume;
     if (!bounds.empty()) {
@@ -19,6 +19,14 @@ SunVolume sunVolume(const WaterBody& water, const Bounds& bounds)
         // The shore's own shadows, and those that fall on it, reach a part of the water's size inland.
         constexpr float withShore = 1.3f;
         volume.rect = {water.centre, 0.5f * withShore * water.extent};
+        const float deepest = bounds.empty() ? 0.0f : std::max(water.level - volume.lowest, 0.0f);
+        if (toSun.y > 0.0f) {
+            // Towards the sun, where the light that reaches the deepest bed crosses the level. A sun near the horizon
+            // may not spread the map's texels without end.
+            const vec2 slant = glm::clamp(deepest / toSun.y * vec2(toSun.x, toSun.z), -water.extent, water.extent);
+            volume.rect.centre += 0.5f * slant;
+            volume.rect.halfExtent += 0.5f * glm::abs(slant);
+        }
         volume.lowest = std::min(volume.lowest, water.level - 1.0f);
         volume.highest = std::max(volume.highest, water.level + 1.0f);
     } else if (!bounds.empty()) {

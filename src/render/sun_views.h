@@ -23,8 +23,8 @@ struct SunVolume {
     float lowest = -1.0f, highest = 1.0f; ///< of the scene
     bool operator==(const SunVolume&) const = default;
 };
-/// @param bounds of the whole scene
-SunVolume sunVolume(const WaterBody& water, const Bounds& bounds);
+/// @param bounds of the whole scene   @param toSun in the air; what lies deep is looked up that much to its side
+SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& toSun);
 
 /// Which half of the scene a shadow map holds.
 enum class SunLayer { afloat, submerged };

@@ -68,6 +68,13 @@ TEST(FrameBlocks, TheDriversOffsetsAreCpps)
                   {"waves[0].phase", offsetof(WaveTerm, phase)},
                   {"waves[0].amplitude", offsetof(WaveTerm, amplitude)},
                   {"waves[1].wavenumber", sizeof(WaveTerm) + offsetof(WaveTerm, wavenumber)}});
+    const auto photons =
+        shaders->program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag");
+    expectLayout(*photons, "SunBlock", sizeof(SunBlock),
+                 {{"sunRect", offsetof(SunBlock, sunRect)},
+                  {"sunHeights", offsetof(SunBlock, sunHeights)},
+                  {"causticsRect", offsetof(SunBlock, causticsRect)},
+                  {"causticsBorder", offsetof(SunBlock, causticsBorder)}});
 }
 
 } // namespace tarn::test

@@ -73,7 +73,7 @@ protected:
     {
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
-             {"blocks", "refraction", "depth", "waves", "intersection", "lighting", "tonemap"}) {
+             {"blocks", "refraction", "depth", "waves", "intersection", "lighting", "tonemap", "sunlight"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
             includes_ += "#include \"" + name + "\"\n";
@@ -104,7 +104,7 @@ protected:
                                        "    result = f(texelFetch(inputA, p, 0), texelFetch(inputB, p, 0),\n"
                                        "               texelFetch(inputC, p, 0));\n}\n");
         gl::Bindings bindings;
-        bindings.blocks = {{"FrameBlock", 0}, {"ViewBlock", 1}, {"WavesBlock", 2}};
+        bindings.blocks = {{"FrameBlock", 0}, {"ViewBlock", 1}, {"WavesBlock", 2}, {"SunBlock", 3}};
         gl::ShaderLibrary library(folder_.root(), bindings);
         const auto program = library.program("test", "full.vert", "test.frag");
         const gl::Texture a = texture(inputs, &Inputs::a, "a"), b = texture(inputs, &Inputs::b, "b"),
@@ -263,6 +263,31 @@ TEST_F(OpticsGl, Lighting)
              return wide(sunGlint(vec3(100.0f), i.a.w, xyz(i.a), xyz(i.b), xyz(i.c), 0.001f + i.b.w * i.b.w));
          },
          1e-4f},
+    });
+}
+
+TEST_F(OpticsGl, Sunlight)
+{
+    using namespace optics;
+    // Directions a hand above the horizon and more: nothing asks for a sun that has no crossing.
+    auto raised = [](const vec4& v) { return vec3(v.x, v.y + 0.1f, v.z); };
+    const std::string toSun = "vec3(a.x, a.y + 0.1, a.z)";
+    check({
+        {"sunPlane", ("vec4(sunPlane(5.0 * b.xyz, 0.5, sunSlant(" + toSun + ")), 0.0, 0.0)").c_str(),
+         [raised](const Inputs& i) {
+             return vec4(sunPlane(5.0f * xyz(i.b), 0.5f, sunSlant(raised(i.a))), 0.0f, 0.0f);
+         },
+         1e-5f},
+        {"sunPlaneGradient", ("vec4(sunPlaneGradient(b.xyz, sunSlant(" + toSun + ")), 0.0, 0.0)").c_str(),
+         [raised](const Inputs& i) {
+             return vec4(sunPlaneGradient(xyz(i.b), sunSlant(raised(i.a))), 0.0f, 0.0f);
+         },
+         1e-3f}, // the divisor passes through zero: it magnifies rounding up to the limit
+        {"photonWeight", "vec4(photonWeight(1.5 * a.xz), photonShare(a.w + 0.1, b.w + 0.1), 0.0, 0.0)",
+         [](const Inputs& i) {
+             return vec4(photonWeight(1.5f * vec2(i.a.x, i.a.z)), photonShare(i.a.w + 0.1f, i.b.w + 0.1f), 0.0f, 0.0f);
+         },
+         1e-5f},
     });
 }
 
