@@ -122,9 +122,10 @@ vec3 sunUnderwater(float depth)
 #endif
     float gathered = 0.0;
 #ifdef CAUSTICS
-    vec2 fromEdge = causticsRect.zw - abs(plane - causticsRect.xy);
+    // No waves, and so no photons, beside the water's rectangle: what is lit from there sees a flat surface.
+    vec2 fromEdge = min(causticsRect.zw - abs(plane - causticsRect.xy), waterRect.zw - abs(plane - waterRect.xy));
     float inside = min(fromEdge.x, fromEdge.y);
-    gathered = clamp(inside / max(causticsBorder.x, 1.0e-6), 0.0, 1.0);
+    gathered = clamp(inside / max(causticsBorder.x, 2.0 * causticsBorder.y), 0.0, 1.0);
 #endif
 #ifdef SHADOWS
     vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), slant);
