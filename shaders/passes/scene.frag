@@ -2,6 +2,7 @@
 //
 // Above the water: sun and sky directly. Below it: the sun refracted by the flat surface and the sky through it, both
 // absorbed on their way down. UNDERWATER: the eye is in the water too, so what lies between is water (eq. 10).
+// IN_AIR, IN_WATER: all of what is drawn is on that side of the level, and pays for that side's light alone.
 // WATERLINE: the surface cuts the near plane, and that holds for the pixels under it.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
@@ -135,8 +136,8 @@ vec3 sunUnderwater(float depth)
 #ifdef CAUSTICS
     // The texture holds light through a level area relative to the same above the water.
     vec2 scale = 0.5 / causticsRect.zw;
-    vec3 light = textureGrad(causticsMap, (plane - causticsRect.xy) * scale + 0.5, sunPlane(acrossW, 0.0, slant) * scale,
-                             sunPlane(alongW, 0.0, slant) * scale).rgb;
+    vec3 light = textureGrad(causticsMap, (plane - causticsRect.xy) * scale + 0.5,
+                             sunPlane(acrossW, 0.0, slant) * scale, sunPlane(alongW, 0.0, slant) * scale).rgb;
     sun = mix(sun, light * sunIrradiance * (sunDirection.y / sunDirectionBelow.y), gathered);
 #endif
 #ifdef SHADOWS
@@ -183,9 +184,15 @@ void main()
 #endif
 
     float depth = waterLevel - positionW.y;
+#if defined(IN_AIR)
+    const bool submerged = false;
+#elif defined(IN_WATER)
+    const bool submerged = true;
+#else
     // A wall on the very edge of the water is wet: a centimetre keeps rounding from speckling it.
     bool submerged = hasWater > 0.5 && depth > 0.0 &&
                      all(lessThanEqual(abs(positionW.xz - waterRect.xy), waterRect.zw + 0.01));
+#endif
     vec3 radiance = emittedRadiance;
 #ifdef EMISSIVE_MAP
     radiance *= texture(emissiveMap, uv).rgb;

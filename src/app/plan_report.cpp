@@ -19,7 +19,9 @@ nlohmann::json toJson(const FramePlan& plan)
         }
         passes.push_back(std::move(entry));
     }
-    return {{"underwater", plan.underwater}, {"crossing", plan.side == WaterSide::crossing}, {"passes", std::move(passes)}};
+    return {{"underwater", plan.underwater},
+            {"crossing", plan.side == WaterSide::crossing},
+            {"passes", std::move(passes)}};
 }
 
 std::string toTable(const FramePlan& plan)

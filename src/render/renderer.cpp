@@ -138,11 +138,19 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     if (scene.pointLights.size() + scene.spotLights.size() > static_cast<std::size_t>(blocks::maxLights))
         log::warning("{}: {} point and spot lights, but only the first {} are drawn", scene.file.string(),
                      scene.pointLights.size() + scene.spotLights.size(), blocks::maxLights);
-    PaintStyle main;
+    // Programs that the first frame would otherwise wait for: the variants of a sunlit scene, where there is a sun.
+    const bool sunlit = scene.sun && scene.sun->direction.y > 0.0f;
+    const bool watery = scene.water.present && options.water.enabled;
+    state_->painter.setWater(watery ? &scene.water : nullptr);
+    state_->painter.setSunMaps({nullptr, nullptr, nullptr, options.sunlight.taps});
+    PaintStyle lit;
+    lit.shadows = sunlit && options.sunlight.shadows;
+    lit.caustics = sunlit && watery && options.caustics.enabled;
+    PaintStyle main = lit;
     main.sunDisc = true;
     main.alphaToCoverage = options.frame.msaa > 1;
     state_->painter.prepare(main, false);
-    if (scene.water.present && options.water.enabled) state_->painter.prepare(PaintStyle{}, true);
+    if (watery) state_->painter.prepare(lit, true);
     state_->bounds = worldBounds(scene);
 }
 
@@ -198,6 +206,7 @@ void Renderer::State::beginFrame(const FrameInput& input)
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     frameBlock.update(light);
     wavesBlock.update(tarn::wavesBlock(water, input.time));
+    painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
     beginSunlight(input);
 }
 
@@ -319,7 +328,8 @@ void Renderer::State::drawScene(const FrameInput& input)
     inputs.style.alphaToCoverage = frame.isMultisampled();
     inputs.style.debugNormals = input.view == DebugView::normals;
     inputs.style.sky = !raw;
-    if (stats.plan[PassId::water].wanted && stats.plan.side == WaterSide::above && input.view != DebugView::sceneDepth)
+    if (stats.plan[PassId::water].wanted && stats.plan.side == WaterSide::above &&
+        input.view != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
     FrameStats::Pass& pass = beginPass(PassId::scene, main, input.size);
     if (isCrossing) sideOfPixels = &waterline.draw(main, options.water.gridSize, input.size);

@@ -24,6 +24,8 @@ enum Feature : unsigned {
     caustics = 1u << 14,
     depthOnly = 1u << 15,
     waterline = 1u << 16,
+    inAir = 1u << 17,
+    inWater = 1u << 18,
 };
 
 struct FeatureName {
@@ -36,7 +38,7 @@ constexpr FeatureName featureNames[] = {
     {specular, "SPECULAR"},        {clipPlane, "CLIP"},              {underwaterEye, "UNDERWATER"},
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
     {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
-    {waterline, "WATERLINE"}};
+    {waterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"}};
 
 /// What decides whether a surface is there at all.
 constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane;
@@ -60,11 +62,26 @@ ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders) : 
 {
     for (const Instance& instance : scene.instances())
         worldFromModelNormal_.push_back(glm::transpose(glm::inverse(mat3(instance.worldFromModel))));
+    setWater(scene.scene().water.present ? &scene.scene().water : nullptr);
 }
 
-unsigned ScenePainter::features(const Material& material) const
+void ScenePainter::setWater(const WaterBody* water)
 {
+    constexpr float rim = 0.01f; // as in scene.frag
+    media_.clear();
+    for (const Chunk& chunk : scene_.chunks())
+        media_.push_back(water ? mediumOf(chunk.boundsW, *water, rim) : Medium::air);
+}
+
+unsigned ScenePainter::features(const Chunk& chunk) const
+{
+    const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk.material)];
     unsigned bits = 0;
+    switch (media_[static_cast<std::size_t>(&chunk - scene_.chunks().data())]) {
+    case Medium::air: bits |= inAir; break;
+    case Medium::water: bits |= inWater; break;
+    case Medium::both: break;
+    }
     if (material.diffuseMap != noImage) bits |= diffuseMap;
     if (material.normalMap != noImage) bits |= normalMap;
     if (material.emissiveMap != noImage) bits |= emissiveMap;
@@ -85,7 +102,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
     if (style.debugNormals) bits |= debugNormals;
     if (style.shadows) bits |= shadows;
-    if (style.caustics) bits |= caustics;
+    if (style.caustics && !(bits & inAir)) bits |= caustics;
     if (style.depthOnly) {
         bits &= shapeFeatures;
         if (!(bits & alphaTest)) bits &= clipPlane; // maps matter to cut-outs only
@@ -116,7 +133,7 @@ gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
 void ScenePainter::prepare(const PaintStyle& style, bool clips)
 {
     for (const Chunk& chunk : scene_.chunks())
-        sceneProgram(features(scene_.scene().materials[static_cast<std::size_t>(chunk.material)]), style, clips);
+        sceneProgram(features(chunk), style, clips);
     skyProgram(style);
 }
 
@@ -161,7 +178,8 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
     for (const Chunk* chunk : chunks) {
         const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
         // Whatever side of a thing the sun sees, it casts a shadow.
-        const int state = (material.twoSided || style.depthOnly ? 1 : 0) | (material.alphaTested && style.alphaToCoverage ? 2 : 0);
+        const int state = (material.twoSided || style.depthOnly ? 1 : 0) |
+                          (material.alphaTested && style.alphaToCoverage ? 2 : 0);
         if (state != lastState) {
             // Back faces go before clipping, or the clip plane would show the insides of what it cuts (Fig. 3).
             gl::apply({.cull = (state & 1) ? gl::Cull::none : gl::Cull::back,
@@ -170,7 +188,8 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
                        .alphaToCoverage = (state & 2) != 0});
             lastState = state;
         }
-        gl::Program& program = sceneProgram(features(material), style, view.clips());
+        const unsigned bits = features(*chunk);
+        gl::Program& program = sceneProgram(bits, style, view.clips());
         const bool newProgram = &program != lastProgram;
         if (newProgram) {
             program.use();
@@ -179,7 +198,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
                 program.texture("afloatDepth", *sunMaps_.afloat);
                 program.texture("submergedDepth", *sunMaps_.submerged);
             }
-            if (style.caustics) program.texture("causticsMap", *sunMaps_.caustics);
+            if (style.caustics && !(bits & inAir)) program.texture("causticsMap", *sunMaps_.caustics);
         }
         if (newProgram || chunk->material != lastMaterial) setMaterial(program, material);
         if (newProgram || chunk->instance != lastInstance) {

@@ -39,6 +39,10 @@ public:
     /// Compiles what the scene's materials need in a style, so that the first frame does not wait for it.
     void prepare(const PaintStyle& style, bool clips);
 
+    /// For all draws from now on: what is drawn wholly in the air, or wholly under water, leaves out the other's light.
+    /// Null: there is no water.
+    void setWater(const WaterBody* water);
+
     /// For all draws from now on; the textures must outlive them.
     void setSunMaps(const SunMaps& maps) { sunMaps_ = maps; }
 
@@ -48,7 +52,7 @@ public:
 
 private:
     /// What a material asks of the shader. Bits of a key.
-    unsigned features(const Material& material) const;
+    unsigned features(const Chunk& chunk) const;
     gl::Program& sceneProgram(unsigned features, const PaintStyle& style, bool clips);
     gl::Program& skyProgram(const PaintStyle& style);
     void setMaterial(gl::Program& program, const Material& material) const;
@@ -58,6 +62,7 @@ private:
 
     const GpuScene& scene_;
     gl::ShaderLibrary& shaders_;
+    std::vector<Medium> media_; ///< per chunk
     SunMaps sunMaps_;
     std::map<std::pair<unsigned, int>, std::shared_ptr<gl::Program>> scenePrograms_; ///< by features and taps
     std::map<unsigned, std::shared_ptr<gl::Program>> skyPrograms_;

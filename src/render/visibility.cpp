@@ -18,6 +18,17 @@ std::vector<Chunk> listChunks(const Scene& scene, const std::vector<Instance>& i
     return chunks;
 }
 
+Medium mediumOf(const Bounds& boundsW, const WaterBody& water, float rim)
+{
+    const vec2 lower = water.centre - 0.5f * water.extent - rim, upper = water.centre + 0.5f * water.extent + rim;
+    if (boundsW.lower.y >= water.level || boundsW.upper.x < lower.x || boundsW.lower.x > upper.x ||
+        boundsW.upper.z < lower.y || boundsW.lower.z > upper.y)
+        return Medium::air;
+    const bool within = boundsW.lower.x >= lower.x && boundsW.upper.x <= upper.x && boundsW.lower.z >= lower.y &&
+                        boundsW.upper.z <= upper.y;
+    return within && boundsW.upper.y < water.level ? Medium::water : Medium::both;
+}
+
 WaterCover waterCover(const WaterBody& water)
 {
     const Bounds slab = waterBounds(water);

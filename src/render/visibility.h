@@ -20,6 +20,12 @@ struct Chunk {
 /// Every chunk of the scene, in world space.
 std::vector<Chunk> listChunks(const Scene& scene, const std::vector<Instance>& instances);
 
+/// What lies round a chunk, at rest: whether scene.frag must ask for each pixel.
+enum class Medium { air, water, both };
+
+/// @param rim how far beside its rectangle the water wets what touches it, m (scene.frag)
+Medium mediumOf(const Bounds& boundsW, const WaterBody& water, float rim);
+
 /// The slab in which an opaque water surface moves; nothing wholly behind it can be seen.
 struct WaterCover {
     bool active = false;

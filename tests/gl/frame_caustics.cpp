@@ -173,7 +173,8 @@ TEST(FrameCaustics, ManyPhotonsDoNotSaturate)
     }
     // And where all of them meet in one place.
     std::vector<float> photons;
-    for (int i = 0; i < 1 << 18; ++i) photons.insert(photons.end(), {0.5f + 0.5f / 16.0f, 0.5f + 0.5f / 16.0f, 1.0f, 0.0f});
+    for (int i = 0; i < 1 << 18; ++i)
+        photons.insert(photons.end(), {0.5f + 0.5f / 16.0f, 0.5f + 0.5f / 16.0f, 1.0f, 0.0f});
     EXPECT_NEAR(gatherPhotons(photons, 16, vec3(0.0f))[(8 * 16 + 8) * 4], static_cast<float>(1 << 18), 1.0f);
 }
 

@@ -31,6 +31,21 @@ TEST(WaterCover, HidesOnlyWhatLiesBehindTheSurface)
     EXPECT_FALSE(WaterCover{}.hides(eye, box({-1, -3, -1}, {1, -1, 1})));
 }
 
+TEST(Visibility, AMediumIsNamedOnlyWhereNothingElseCanBe)
+{
+    WaterBody water;
+    water.present = true;
+    water.level = 1.0f;
+    water.extent = vec2(20.0f);
+    const auto at = [&](const vec3& lower, const vec3& upper) { return mediumOf({lower, upper}, water, 0.01f); };
+    EXPECT_EQ(at({-1, 1, -1}, {1, 3, 1}), Medium::air);
+    EXPECT_EQ(at({-1, -3, -1}, {1, 0.9f, 1}), Medium::water);
+    EXPECT_EQ(at({-1, -3, -1}, {1, 1, 1}), Medium::both) << "its top lies in the level itself";
+    EXPECT_EQ(at({9, -3, -1}, {11, 0, 1}), Medium::both) << "across the water's edge";
+    EXPECT_EQ(at({10.5f, -3, -1}, {12, 0, 1}), Medium::air) << "beside the water";
+    EXPECT_EQ(at({10.005f, -3, -1}, {12, 0, 1}), Medium::both) << "within the rim that gets wet";
+}
+
 namespace {
 
 struct Picture {
