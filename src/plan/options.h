@@ -61,11 +61,11 @@ struct SunlightOptions {
 struct CausticsOptions {
     enum class Method { cpu, points, fetch, mesh };
     bool enabled = true;
-    Method method = Method::mesh;
+    Method method = Method::fetch;
     int textureSize = 256;
     int photons = 256;
     int steps = 2;
-    int filter = 1;
+    int filter = 2;
     float extent = 0.0f;
 };
 struct UnderwaterOptions {

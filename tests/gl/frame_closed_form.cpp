@@ -1,8 +1,8 @@
 // Whole frames of scenes whose picture a formula gives.
 #include "gl_test.h"
+#include "studio.h"
 #include "test_scenes.h"
 
-#include "gl/profiler.h"
 #include "optics/optics.h"
 #include "render/renderer.h"
 #include "render/view.h"
@@ -29,36 +29,6 @@ Camera lookDown(float degreesFromVertical, float height = 1.6f)
     camera.verticalFov = glm::radians(45.0f);
     camera.farPlane = 500.0f;
     return camera;
-}
-
-/// Renders views of one scene.
-class Studio {
-public:
-    explicit Studio(const Scene& scene, const Options& options = {})
-        : shaders_(makeShaderLibrary()), renderer_(scene, options, *shaders_, profiler_)
-    {
-        renderer_.setChecking(true);
-    }
-    Image linear(const Camera& camera, DebugView view = DebugView::final, double time = 0.0)
-    {
-        stats = renderer_.render({camera, time, pictureSize, view});
-        EXPECT_TRUE(renderer_.badPixels().empty()) << renderer_.badPixels().front().pass;
-        return renderer_.readLinear();
-    }
-    FrameStats stats;
-
-private:
-    std::unique_ptr<gl::ShaderLibrary> shaders_;
-    gl::Profiler profiler_;
-    Renderer renderer_;
-};
-
-vec4 pixel(const Image& image, int x, int y)
-{
-    const std::size_t i = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                           static_cast<std::size_t>(x)) *
-                          4;
-    return {image.floats[i], image.floats[i + 1], image.floats[i + 2], image.floats[i + 3]};
 }
 
 /// The ray through the centre of a pixel, double precision; y counts from the top.
@@ -104,7 +74,7 @@ TEST_P(SnellLookup, LandsWithinATexelOfSnell)
     options.refraction.steps = 8;
     options.refraction.camera = GetParam().camera;
     Studio studio(scene, options);
-    const Image image = studio.linear(camera, DebugView::positionW);
+    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::positionW);
     const float aspect = static_cast<float>(pictureSize.x) / static_cast<float>(pictureSize.y);
     const mat4 clipFromWorld =
         refractionView(camera, aspect, scene.water, options.refraction, false).clipFromWorld();
@@ -157,7 +127,7 @@ TEST(FrameClosedForm, FresnelIsSchlicks)
     Studio studio(scene);
     for (const float degrees : {0.0f, 30.0f, 60.0f, 80.0f}) {
         const Camera camera = lookDown(degrees);
-        const Image image = studio.linear(camera, DebugView::fresnel);
+        const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::fresnel);
         double worst = 0.0;
         int water = 0;
         for (int y = 0; y < pictureSize.y; ++y) {
@@ -184,7 +154,7 @@ TEST(FrameClosedForm, RadianceOfTheBedIsDividedByTheSquareOfTheIndex)
     Options options;
     options.frame.msaa = 1;
     Studio studio(scene, options);
-    const Image image = studio.linear(lookDown(0.0f));
+    const Image image = studio.linear(lookDown(0.0f), pictureSize);
     const double f = optics64::fresnelSchlick(1.0, 1.33, 5.0);
     const double irradianceBelow = std::numbers::pi * 0.934; // of the uniform sky, under the surface
     const double bed = 0.5 / std::numbers::pi * irradianceBelow;
@@ -209,7 +179,7 @@ TEST(FrameClosedForm, SunlightIsAbsorbedOnItsWayDownAndUp)
     Options options;
     options.frame.msaa = 1;
     Studio studio(scene, options);
-    const vec4 centre = pixel(studio.linear(lookDown(0.0f)), pictureSize.x / 2, pictureSize.y / 2);
+    const vec4 centre = pixel(studio.linear(lookDown(0.0f), pictureSize), pictureSize.x / 2, pictureSize.y / 2);
 
     const double cosAir = sun.direction.y;
     const double cosWater = std::sqrt(1.0 - (1.0 - cosAir * cosAir) / (1.33 * 1.33));
@@ -244,7 +214,7 @@ TEST(FrameClosedForm, ALeafPassesLightOn)
         Options options;
         options.frame.msaa = 1;
         Studio studio(scene, options);
-        const vec4 centre = pixel(studio.linear(camera), pictureSize.x / 2, pictureSize.y / 2);
+        const vec4 centre = pixel(studio.linear(camera, pictureSize), pictureSize.x / 2, pictureSize.y / 2);
         for (int c = 0; c < 3; ++c) {
             const double passed = static_cast<double>(scene.materials[0].diffuse[c] * transmission[c]);
             const double expected = passed / std::numbers::pi * 10.0 * 2.0 / std::sqrt(5.0);
@@ -260,7 +230,7 @@ TEST(FrameClosedForm, NoWaterWhereThereIsNone)
     addBox(scene, {-0.3f, -2.0f, -0.3f}, {0.3f, 0.5f, 0.3f}, addMaterial(scene, vec3(0.2f)));
     const Camera camera = lookDown(0.0f);
     Studio studio(scene);
-    const Image image = studio.linear(camera, DebugView::pathLength);
+    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::pathLength);
     int wrong = 0;
     for (int y = 0; y < pictureSize.y; ++y) {
         for (int x = 0; x < pictureSize.x; ++x) {
@@ -277,7 +247,7 @@ TEST(FrameClosedForm, NoWaterWhereThereIsNone)
 
     scene.water.present = false;
     Studio dry(scene);
-    dry.linear(camera);
+    dry.linear(camera, pictureSize);
     EXPECT_FALSE(dry.stats.plan[PassId::water].wanted);
     EXPECT_FALSE(dry.stats.plan[PassId::refraction].wanted);
 }
@@ -301,7 +271,7 @@ TEST(FrameClosedForm, ReflectionContinuesAPost)
     options.refraction.enabled = false;
     options.reflection.targetSize = 1024;
     Studio studio(scene, options);
-    const Image image = studio.linear(camera);
+    const Image image = studio.linear(camera, pictureSize);
 
     const float aspect = static_cast<float>(pictureSize.x) / static_cast<float>(pictureSize.y);
     const mat4 clipFromWorld = clipFromView(camera, aspect) * viewFromWorld(camera);

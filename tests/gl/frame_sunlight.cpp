@@ -1,8 +1,8 @@
 // Shadows of the sun where geometry puts them, above the water and below it, and none where there are none.
 #include "gl_test.h"
+#include "studio.h"
 #include "test_scenes.h"
 
-#include "gl/profiler.h"
 #include "optics/optics.h"
 #include "render/renderer.h"
 
@@ -31,13 +31,7 @@ Camera above(float floorHeight)
 Image rendered(const Scene& scene, const Camera& camera, Options options)
 {
     options.frame.msaa = 1;
-    const auto shaders = makeShaderLibrary();
-    gl::Profiler profiler;
-    Renderer renderer(scene, options, *shaders, profiler);
-    renderer.setChecking(true);
-    renderer.render({camera, 0.0, pictureSize, DebugView::final});
-    EXPECT_TRUE(renderer.badPixels().empty());
-    return renderer.readLinear();
+    return Studio(scene, options).linear(camera, pictureSize);
 }
 
 /// Red of the pixel that sees the floor at (x, z).
@@ -141,21 +135,19 @@ TEST(FrameSunlight, MapsAreDrawnOnce)
 {
     Scene scene = sunlit(45.0f, -2.0f);
     Options options;
-    const auto shaders = makeShaderLibrary();
-    gl::Profiler profiler;
-    Renderer renderer(scene, options, *shaders, profiler);
+    Studio studio(scene, options);
     Camera camera = above(0.0f);
     const auto trianglesOfMaps = [&] {
-        const FrameStats& stats = renderer.render({camera, 0.0, {64, 64}, DebugView::final});
-        EXPECT_EQ(stats.passes.front().name, "sunlight");
-        return stats.passes.front().triangles;
+        studio.linear(camera, {64, 64});
+        EXPECT_EQ(studio.stats.passes.front().name, "sunlight");
+        return studio.stats.passes.front().triangles;
     };
     EXPECT_GT(trianglesOfMaps(), 0u);
     camera.eye.x += 1.0f;
     EXPECT_EQ(trianglesOfMaps(), 0u);
     WaterBody higher = scene.water;
     higher.level = 0.5f;
-    renderer.setOptions(options, higher);
+    studio.setOptions(options, higher);
     EXPECT_GT(trianglesOfMaps(), 0u);
 }
 

@@ -1,8 +1,8 @@
 // What an eye under water sees, and an eye that goes through the surface.
 #include "gl_test.h"
+#include "studio.h"
 #include "test_scenes.h"
 
-#include "gl/profiler.h"
 #include "optics/optics.h"
 #include "optics/waves.h"
 #include "render/renderer.h"
@@ -21,14 +21,6 @@ namespace {
 using glm::dvec3;
 
 constexpr double n = 1.33;
-
-vec3 pixel(const Image& image, int x, int y)
-{
-    const std::size_t i = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                           static_cast<std::size_t>(x)) *
-                          4;
-    return {image.floats[i], image.floats[i + 1], image.floats[i + 2]};
-}
 
 /// A camera under water, looking so many degrees off the vertical, towards -z.
 Camera lookUp(double degreesFromVertical, float depth, float degreesOfView = 110.0f)
@@ -65,27 +57,6 @@ private:
     dvec3 eye_;
     glm::dmat4 worldFromView_;
     double up_;
-};
-
-class Studio {
-public:
-    Studio(const Scene& scene, const Options& options)
-        : shaders_(makeShaderLibrary()), renderer_(scene, options, *shaders_, profiler_)
-    {
-        renderer_.setChecking(true);
-    }
-    Image linear(const Camera& camera, ivec2 size, double time = 0.0, DebugView view = DebugView::final)
-    {
-        stats = renderer_.render({camera, time, size, view});
-        EXPECT_TRUE(renderer_.badPixels().empty()) << renderer_.badPixels().front().pass;
-        return renderer_.readLinear();
-    }
-    FrameStats stats;
-
-private:
-    std::unique_ptr<gl::ShaderLibrary> shaders_;
-    gl::Profiler profiler_;
-    Renderer renderer_;
 };
 
 Options plain()
@@ -321,7 +292,7 @@ double meanLuminance(const Image& image)
 {
     double sum = 0.0;
     for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) sum += luminance(pixel(image, x, y));
+        for (int x = 0; x < image.width; ++x) sum += luminance(vec3(pixel(image, x, y)));
     return sum / (image.width * image.height);
 }
 
@@ -373,9 +344,9 @@ TEST_P(SweepThrough, EveryPixelIsOfItsSide)
             for (int x = 0; x < sweepSize.x; x += stride) {
                 const dvec3 ray = rays.through(x, y);
                 const dvec3 from = rays.eye() + ray * static_cast<double>(camera.nearPlane);
-                const vec3 value = pixel(image, x, y);
+                const vec3 value(pixel(image, x, y));
                 const bool isUnder = mesh.over(from) < 0.0;
-                const bool looksAbove = glm::distance(value, pixel(fromAbove, x, y)) < 1.0e-3f;
+                const bool looksAbove = glm::distance(value, vec3(pixel(fromAbove, x, y))) < 1.0e-3f;
                 if (isUnder) ++underPixels;
                 if (!isUnder && looksAbove) continue;
 

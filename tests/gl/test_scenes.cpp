@@ -68,7 +68,7 @@ void addBox(Scene& scene, const vec3& lower, const vec3& upper, int material)
     addMesh(scene, std::move(mesh), material);
 }
 
-Scene flatLake(float depth, float edge)
+Scene flatLake(float depth, float edge, float bedEdge)
 {
     Scene scene;
     scene.name = "flat lake";
@@ -78,7 +78,7 @@ Scene flatLake(float depth, float edge)
     scene.water.extent = vec2(edge);
     scene.water.absorption = vec3(0.0f);
     scene.water.colour = vec3(0.0f);
-    addFloor(scene, -depth, edge, addMaterial(scene, vec3(0.5f)));
+    addFloor(scene, -depth, bedEdge > 0.0f ? bedEdge : edge, addMaterial(scene, vec3(0.5f)));
     scene.cameras.emplace_back();
     return scene;
 }

@@ -15,6 +15,7 @@ int addMaterial(Scene& scene, const vec3& diffuse);
 
 /// A still lake of a given depth over a flat bed, under a constant sky of radiance 1 and no sun; clear water that
 /// takes nothing away, unless the test says so.
-Scene flatLake(float depth, float edge = 400.0f);
+/// bedEdge: of the bed; 0 for the lake's own.
+Scene flatLake(float depth, float edge = 400.0f, float bedEdge = 0.0f);
 
 } // namespace tarn::test
