@@ -13,29 +13,56 @@ layout(location = 0) in vec4 photonV;
 #endif
 uniform float textureEdge; // texels along an edge
 
-#ifdef MESH
-out vec2 cell;  // in photons
-out vec3 light;
-#else
-flat out vec2 centre; // in texels
 flat out vec3 light;
+flat out vec2 centre; // of a point, in texels
+#ifdef MESH
+flat out float isPoint; // 1: the triangle was too small to be drawn as one
 #endif
 
+vec3 lightOf(vec4 photon) { return photon.z * beerLambert(absorption, photon.w); }
+
+#ifdef MESH
 void main()
 {
-#if defined(FETCH) || defined(MESH)
-    ivec2 place = ivec2(gl_VertexID % photonEdge, gl_VertexID / photonEdge);
-    vec4 photon = texelFetch(photons, place, 0);
+    int triangle = gl_VertexID / 3;
+    int own = gl_VertexID % 3;
+    int cell = triangle / 2;
+    ivec2 place = ivec2(cell % (photonEdge - 1), cell / (photonEdge - 1));
+    ivec2 offset[3] = (triangle & 1) == 0 ? ivec2[3](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0))
+                                          : ivec2[3](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
+    vec2 corner[3]; // on the bed, in texels
+    light = vec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        vec4 photon = texelFetch(photons, place + offset[i], 0);
+        corner[i] = photon.xy * textureEdge;
+        light += lightOf(photon) / 6.0; // half a photon's cell lies between three of them
+    }
+    vec2 a = corner[1] - corner[0];
+    vec2 b = corner[2] - corner[0];
+    float area = 0.5 * abs(a.x * b.y - a.y * b.x); // where light folds back, only the orientation changes
+    centre = (corner[0] + corner[1] + corner[2]) / 3.0;
+
+    // Where light focuses, triangles shrink below what a texel's samples can find, and one that is found by chance
+    // would bring far too much. It becomes a point with the same light: here, a triangle round that point's square.
+    isPoint = area < 0.25 ? 1.0 : 0.0;
+    vec2 position = corner[own];
+    if (isPoint > 0.5)
+        position = centre + vec2(own == 1 ? 4.5 : -1.5, own == 2 ? 4.5 : -1.5);
+    else
+        light /= area; // the ratio of the areas is the intensity
+    gl_Position = vec4(2.0 * position / textureEdge - 1.0, 0.0, 1.0);
+}
+#else
+void main()
+{
+#ifdef FETCH
+    vec4 photon = texelFetch(photons, ivec2(gl_VertexID % photonEdge, gl_VertexID / photonEdge), 0);
 #else
     vec4 photon = photonV;
 #endif
-    light = photon.z * beerLambert(absorption, photon.w);
-    gl_Position = vec4(2.0 * photon.xy - 1.0, 0.0, 1.0);
-#ifdef MESH
-    cell = vec2(place);
-#else
+    light = lightOf(photon);
     centre = photon.xy * textureEdge;
     gl_PointSize = 2.0; // the square of it holds the centres of the four nearest texels
-    if (photon.z <= 0.0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-#endif
+    gl_Position = photon.z > 0.0 ? vec4(2.0 * photon.xy - 1.0, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }
+#endif

@@ -38,14 +38,19 @@ void addWaves(Scene& scene, float scale)
                          {0.006f * scale, 0.45f, -0.9f, 2.0f, 0.0f}};
 }
 
-/// The texture, four floats a texel, rows from -z to +z.
-std::vector<float> texture(const Scene& scene, const Options& options, double time = 0.0)
+Camera eyeOverThePool()
 {
     Camera camera;
     camera.eye = vec3(0.0f, 3.0f, 0.1f);
     camera.target = vec3(0.0f);
+    return camera;
+}
+
+/// The texture, four floats a texel, rows from -z to +z.
+std::vector<float> texture(const Scene& scene, const Options& options, double time = 0.0)
+{
     const int edge = options.caustics.textureSize;
-    const Image image = Studio(scene, options).linear(camera, {edge, edge}, time, DebugView::caustics);
+    const Image image = Studio(scene, options).linear(eyeOverThePool(), {edge, edge}, time, DebugView::caustics);
     std::vector<float> rows;
     for (int y = edge - 1; y >= 0; --y) {
         const auto row = image.floats.begin() + static_cast<std::ptrdiff_t>(y) * edge * 4;
@@ -53,6 +58,38 @@ std::vector<float> texture(const Scene& scene, const Options& options, double ti
     }
     return rows;
 }
+
+/// A ray of the sun that meets the waves.
+struct Ray {
+    glm::dvec3 surface;
+    glm::dvec3 refracted;
+    double transmittance;
+};
+
+/// Through places of the level, in double precision.
+class Rays {
+public:
+    Rays(const Scene& scene, const glm::dvec3& toSun) : toSun_(toSun)
+    {
+        for (const Wave& w : scene.water.waves)
+            terms_.push_back(optics64::makeWaveTerm(w.amplitude, w.wavelength, w.direction, w.phase));
+    }
+
+    Ray from(const glm::dvec2& plane) const
+    {
+        glm::dvec2 x = plane; // on the ray, at the waves' height: a contraction for slopes like these
+        for (int k = 0; k < 30; ++k) x = plane + optics64::sunSlant(toSun_) * optics64::waveHeight(terms_, x, 0.0);
+        const glm::dvec3 normal = optics64::waveNormalAt(terms_, x, 0.0);
+        const double cosine = std::max(glm::dot(normal, toSun_), 0.0);
+        return {{x.x, optics64::waveHeight(terms_, x, 0.0), x.y},
+                optics64::refractRay(-toSun_, normal, 1.0 / 1.33),
+                1.0 - optics64::fresnelExact(cosine, 1.0 / 1.33)};
+    }
+
+private:
+    std::vector<optics64::WaveTerm> terms_;
+    glm::dvec3 toSun_;
+};
 
 double sum(const std::vector<float>& texels, std::size_t channel)
 {
@@ -100,22 +137,13 @@ TEST(FrameCaustics, WavesMoveLightAndKeepIt)
         Scene scene = pool(1.5f, 6.0f, elevation);
         addWaves(scene, 1.0f);
         // What enters, ray by ray over the level, in double precision: rows of the lattice that the photons start on.
-        std::vector<optics64::WaveTerm> terms;
-        for (const Wave& w : scene.water.waves)
-            terms.push_back(optics64::makeWaveTerm(w.amplitude, w.wavelength, w.direction, w.phase));
-        const glm::dvec3 toSun(scene.sun->direction);
+        const Rays rays(scene, glm::dvec3(scene.sun->direction));
         double entering = 0.0;
         constexpr int n = 400;
-        for (int j = 0; j < n; ++j) {
-            for (int i = 0; i < n; ++i) {
-                const glm::dvec2 plane(6.0 * ((i + 0.5) / n - 0.5), 6.0 * ((j + 0.5) / n - 0.5));
-                glm::dvec2 x = plane; // on the ray, at the waves' height: a contraction for such slopes
-                for (int k = 0; k < 20; ++k)
-                    x = plane + glm::dvec2(toSun.x, toSun.z) / toSun.y * optics64::waveHeight(terms, x, 0.0);
-                const double cosine = std::max(glm::dot(optics64::waveNormalAt(terms, x, 0.0), toSun), 0.0);
-                entering += (1.0 - optics64::fresnelExact(cosine, 1.0 / 1.33)) * 36.0 / (n * n);
-            }
-        }
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                entering += rays.from({6.0 * ((i + 0.5) / n - 0.5), 6.0 * ((j + 0.5) / n - 0.5)}).transmittance * 36.0 /
+                            (n * n);
         for (const Method method : methods) {
             Options options;
             options.caustics.method = method;
@@ -124,6 +152,43 @@ TEST(FrameCaustics, WavesMoveLightAndKeepIt)
             EXPECT_NEAR(arrived, entering, 0.01 * entering)
                 << "method " << static_cast<int>(method) << ", elevation " << elevation;
         }
+    }
+}
+
+// A texture that covers a part of the water: its light and what left it make up what entered there. Every photon is
+// followed on its own, in double precision and without any picture of the bed.
+TEST(FrameCaustics, WhatLeavesTheTextureIsAllThatIsMissing)
+{
+    Scene scene = pool(2.0f, 6.0f, 40.0f);
+    addWaves(scene, 2.0f);
+    Options options;
+    options.caustics.extent = 2.0f;
+    const CausticsRegion region = causticsRegion(scene.water, eyeOverThePool(), options.caustics);
+    ASSERT_FLOAT_EQ(region.rect.halfExtent.x, 1.0f);
+    const glm::dvec3 toSun(scene.sun->direction);
+    const glm::dvec3 toSunBelow = optics64::refractedSunDirection(toSun, 1.33);
+    const Rays rays(scene, toSun);
+    double entered = 0.0, stayed = 0.0;
+    const int edge = options.caustics.photons;
+    for (int j = 0; j < edge; ++j) {
+        for (int i = 0; i < edge; ++i) {
+            const glm::dvec2 lattice(2.0 * (i + 0.5) / edge - 1.0, 2.0 * (j + 0.5) / edge - 1.0);
+            const Ray ray = rays.from(glm::dvec2(region.rect.centre) + lattice);
+            const glm::dvec3 hit = ray.surface + ray.refracted * ((-2.0 - ray.surface.y) / ray.refracted.y);
+            const glm::dvec2 place = optics64::sunPlane(hit, 0.0, optics64::sunSlant(toSunBelow)) -
+                                     glm::dvec2(region.rect.centre);
+            const double light = ray.transmittance * 4.0 / (edge * edge);
+            entered += light;
+            if (std::max(std::abs(place.x), std::abs(place.y)) <= 1.0) stayed += light;
+        }
+    }
+    EXPECT_LT(stayed, 0.99 * entered); // some do leave
+    for (const Method method : methods) {
+        options.caustics.method = method;
+        const double arrived = sum(texture(scene, options), 0) * 4.0 / (256.0 * 256.0);
+        // The mesh ends at the middles of the outermost photons' cells.
+        const double rim = method == Method::mesh ? std::pow((edge - 1.0) / edge, 2.0) : 1.0;
+        EXPECT_NEAR(arrived, rim * stayed, 0.01 * stayed) << "method " << static_cast<int>(method);
     }
 }
 

@@ -13,7 +13,11 @@ const gl::Target& CausticsPass::draw(const CausticsOptions& options, const Input
 {
     castPhotons(options, inputs);
     // Sums need all of a float's digits, and more range than half floats have: any number of photons may meet.
-    gathered_.ensure({.size = ivec2(options.textureSize), .colours = {gl::Format::rgba32f}});
+    // Triangles of the mesh are about as small as texels: several samples find their areas.
+    constexpr int meshSamples = 4;
+    gathered_.ensure({.size = ivec2(options.textureSize),
+                      .colours = {gl::Format::rgba32f},
+                      .samples = options.method == Method::mesh ? meshSamples : 1});
     gl::apply({});
     gathered_.drawFramebuffer().clearColour(vec4(0.0f));
     switch (options.method) {
@@ -22,6 +26,7 @@ const gl::Target& CausticsPass::draw(const CausticsOptions& options, const Input
     case Method::fetch: gatherPoints(options, stats); break;
     case Method::mesh: gatherMesh(options, stats); break;
     }
+    gathered_.resolve();
     filter(options);
     return filtered_;
 }
@@ -119,12 +124,17 @@ void CausticsPass::gatherPoints(const CausticsOptions& options, FrameStats::Pass
 void CausticsPass::gatherMesh(const CausticsOptions& options, FrameStats::Pass& stats)
 {
     gl::Program& program = gatherProgram(Method::mesh);
+    if (bare_.label().empty()) bare_ = gl::VertexArray("fetched photons");
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false, .blend = gl::Blend::add});
     gathered_.bind();
     program.use();
     program.texture("photons", photons_.colour());
     program.set("photonEdge", options.photons);
-    lattice_.draw(options.photons, stats);
+    program.set("textureEdge", static_cast<float>(options.textureSize));
+    const int triangles = 2 * (options.photons - 1) * (options.photons - 1);
+    bare_.draw(gl::Primitive::triangles, 0, 3 * triangles);
+    stats.triangles += static_cast<std::size_t>(triangles);
+    ++stats.drawCalls;
 }
 
 void CausticsPass::filter(const CausticsOptions& options)

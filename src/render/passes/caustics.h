@@ -10,7 +10,7 @@
 #include "gl/vertex_array.h"
 #include "optics/blocks.h"
 #include "plan/options.h"
-#include "render/water_grid.h"
+#include "render/renderer.h"
 
 #include <map>
 #include <memory>
@@ -52,7 +52,6 @@ private:
     gl::Buffer photonBuffer_;
     gl::VertexArray photonPoints_; ///< over photonBuffer_
     gl::VertexArray bare_;         ///< no attributes: photons are fetched
-    WaterGrid lattice_;            ///< of the mesh
     std::shared_ptr<gl::Program> photonProgram_, filterProgram_;
     std::map<CausticsOptions::Method, std::shared_ptr<gl::Program>> gatherPrograms_;
 };
