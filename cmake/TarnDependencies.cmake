@@ -13,6 +13,7 @@ find_package(CLI11 REQUIRED)
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO)
 add_library(OpenImageIO::OpenImageIO ALIAS PkgConfig::OpenImageIO)
 include(TarnTomlplusplus)
+include(TarnEmbree)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
 

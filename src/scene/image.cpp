@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <system_error>
 
 namespace tarn
@@ -158,11 +159,15 @@ float srgbDecode(float encoded)
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-Image readImage(const std::filesystem::path& file)
+namespace
+{
+
+/// Opened, and of a shape that can be read.
+std::unique_ptr<OIIO::ImageInput> openPicture(const std::filesystem::path& file)
 {
     checkIsFile(file);
     const OIIO::ImageSpec hints = readerHints();
-    const auto input = OIIO::ImageInput::open(file.string(), &hints);
+    auto input = OIIO::ImageInput::open(file.string(), &hints);
     if (!input) throw Error("{}: not a readable picture ({})", file.string(), oneLine(OIIO::geterror()));
 
     const OIIO::ImageSpec& spec = input->spec();
@@ -171,18 +176,47 @@ Image readImage(const std::filesystem::path& file)
         throw Error("{}: {}x{} pixels are more than {} a side; make it smaller", file.string(), spec.width,
                     spec.height, largestSide);
     if (spec.nchannels < 1) throw Error("{}: the picture has no channels", file.string());
+    return input;
+}
 
+Image emptyPicture(const std::filesystem::path& file, const OIIO::ImageSpec& spec, int channels)
+{
     Image image;
     image.name = file.string();
     image.width = spec.width;
     image.height = spec.height;
-    image.channels = std::min(spec.nchannels, 4);
+    image.channels = channels;
+    return image;
+}
+
+} // namespace
+
+Image readImage(const std::filesystem::path& file)
+{
+    const auto input = openPicture(file);
+    const OIIO::ImageSpec& spec = input->spec();
+    Image image = emptyPicture(file, spec, std::min(spec.nchannels, 4));
     if (spec.format == OIIO::TypeDesc::UINT8) {
         readPixels(*input, OIIO::TypeDesc::UINT8, image, image.bytes);
     } else {
         readPixels(*input, OIIO::TypeDesc::FLOAT, image, image.floats);
     }
     return image;
+}
+
+NamedImage readNamedImage(const std::filesystem::path& file)
+{
+    const auto input = openPicture(file);
+    const OIIO::ImageSpec& spec = input->spec();
+    NamedImage result{emptyPicture(file, spec, spec.nchannels), spec.channelnames, {}};
+    Image& image = result.image;
+    image.floats.resize(image.size());
+    if (!input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, image.floats.data()))
+        throw Error("{}: the picture is damaged ({})", image.name, oneLine(input->geterror()));
+    for (const auto& attribute : spec.extra_attribs)
+        if (attribute.type() == OIIO::TypeDesc::STRING)
+            result.metadata[attribute.name().string()] = attribute.get_string();
+    return result;
 }
 
 void writeImage(const std::filesystem::path& file, const Image& image,

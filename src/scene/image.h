@@ -30,6 +30,16 @@ float srgbDecode(float encoded);
 /// files (EXR, HDR, 16-bit PNG) give floats. Throws Error naming the file when it is missing, damaged or 0x0.
 Image readImage(const std::filesystem::path& file);
 
+/// A picture with more to it than colour: every channel as floats, their names, and the header's text attributes.
+struct NamedImage {
+    Image image;
+    std::vector<std::string> channelNames;
+    std::map<std::string, std::string> metadata;
+};
+
+/// All channels of a file, 8-bit ones as 0 to 1 without decoding. Throws as readImage does.
+NamedImage readNamedImage(const std::filesystem::path& file);
+
 /// Writes by extension: .png (bytes, or floats that are sRGB-encoded here), .exr (floats, linear), .jpg.
 /// The file appears whole or not at all. `metadata` goes into the header. `channelNames` may name EXR channels.
 void writeImage(const std::filesystem::path& file, const Image& image,
