@@ -4,6 +4,7 @@
 #include "app/settings.h"
 #include "base/math.h"
 #include "measure/paper_tables.h"
+#include "reference/options.h"
 #include "render/debug_view.h"
 
 #include <filesystem>
@@ -64,6 +65,14 @@ struct BenchCommand {
     std::string json;
 };
 
+struct ReferenceCommand {
+    SceneArguments scene;
+    ViewArguments view;
+    reference::ReferenceOptions reference;
+    std::string out; ///< .exr with every channel, or .png as shown
+    std::string json;
+};
+
 struct ExplainCommand {
     SceneArguments scene;
     ViewArguments view;
@@ -84,7 +93,7 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, BenchCommand, ExplainCommand,
+using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, BenchCommand, ExplainCommand,
                              OptionsCommand, InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a

@@ -10,6 +10,7 @@ namespace tarn
 
 void run(const PrintCommand& command);
 void run(const RenderCommand& command);
+void run(const ReferenceCommand& command);
 void run(const BenchCommand& command);
 void run(const ExplainCommand& command);
 void run(const OptionsCommand& command);

@@ -1,9 +1,9 @@
 // tarn render: pictures of a scene, one, a sequence, or one from each camera.
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/picture_header.h"
 #include "app/plan_report.h"
 #include "app/session.h"
-#include "app/version.h"
 #include "base/error.h"
 #include "base/log.h"
 
@@ -63,22 +63,9 @@ void requireWritable(const RenderCommand& command)
 std::map<std::string, std::string> metadata(const RenderCommand& command, const Stage& stage,
                                             const Shot& shot)
 {
-    const Camera& camera = shot.camera;
-    const auto triple = [](const vec3& v) { return std::vector<float>{v.x, v.y, v.z}; };
-    const nlohmann::json view{{"name", camera.name},
-                              {"eye", triple(camera.eye)},
-                              {"target", triple(camera.target)},
-                              {"up", triple(camera.up)},
-                              {"vertical_fov_degrees", glm::degrees(camera.verticalFov)}};
-    const auto dump = [](const nlohmann::json& json) {
-        return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    };
-    return {{"tarn:version", versionText()},
-            {"tarn:scene", stage.scene.file.filename().string()},
-            {"tarn:camera", dump(view)},
-            {"tarn:time", fmt::format("{}", shot.time)},
-            {"tarn:view", debugViewNames[static_cast<std::size_t>(command.debugView)]},
-            {"tarn:settings", settingsJson(stage.settings)}};
+    std::map<std::string, std::string> header = pictureHeader(stage, shot.camera, shot.time);
+    header["tarn:view"] = debugViewNames[static_cast<std::size_t>(command.debugView)];
+    return header;
 }
 
 void requireClean(const Renderer& renderer, const Shot& shot)

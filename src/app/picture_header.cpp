@@ -1,0 +1,28 @@
+#include "app/picture_header.h"
+
+#include "app/version.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+namespace tarn
+{
+
+std::map<std::string, std::string> pictureHeader(const Stage& stage, const Camera& camera, double time)
+{
+    const auto triple = [](const vec3& v) { return std::vector<float>{v.x, v.y, v.z}; };
+    const nlohmann::json view{{"name", camera.name},
+                              {"eye", triple(camera.eye)},
+                              {"target", triple(camera.target)},
+                              {"up", triple(camera.up)},
+                              {"vertical_fov_degrees", glm::degrees(camera.verticalFov)}};
+    return {{"tarn:version", versionText()},
+            {"tarn:scene", stage.scene.file.filename().string()},
+            {"tarn:camera", view.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)},
+            {"tarn:time", fmt::format("{}", time)},
+            {"tarn:settings", settingsJson(stage.settings)}};
+}
+
+} // namespace tarn

@@ -1,0 +1,17 @@
+// What the header of a picture says about how it was made.
+#pragma once
+
+#include "app/stage.h"
+#include "scene/camera.h"
+
+#include <map>
+#include <string>
+
+namespace tarn
+{
+
+/// "tarn:version", "tarn:scene", "tarn:camera" (JSON: name, eye, target, up, vertical_fov_degrees), "tarn:time" and
+/// "tarn:settings" (JSON of every option).
+std::map<std::string, std::string> pictureHeader(const Stage& stage, const Camera& camera, double time);
+
+} // namespace tarn

@@ -1,0 +1,225 @@
+#include "reference/integrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tarn::reference {
+
+namespace {
+
+constexpr double farthest = 1.0e5;
+/// Rays leave what they met this far away, m: below the size of anything, above single precision at the lake's size.
+constexpr double offset = 2.0e-4;
+/// A branch that can add less than this share of the pixel is not followed; its share counts as truncated.
+constexpr double leastWeight = 1.0e-4;
+constexpr double sunAngularRadius = 0.2665 * std::numbers::pi / 180.0;
+
+/// Over what length something in the way makes a shaded place out of one that its texel of the sun map calls lit.
+constexpr double contactLength = 0.3;
+
+} // namespace
+
+Integrator::Medium Integrator::mediumAt(const dvec3& point) const
+{
+    return world_.water && world_.water->contains(point) ? Medium::water : Medium::air;
+}
+
+std::optional<Integrator::Meeting> Integrator::nearest(const Ray& ray, Medium medium) const
+{
+    const auto hit = world_.geometry.intersect(ray, offset, farthest);
+    const double limit = hit ? hit->distance : farthest;
+    if (world_.water)
+        if (const auto distance = world_.water->intersect(ray, 1e-6, limit, medium == Medium::air))
+            return Meeting{*distance, std::nullopt};
+    if (hit) return Meeting{hit->distance, hit};
+    return std::nullopt;
+}
+
+vec3 Integrator::radiance(const Ray& ray, double pixelAngle, Random& random, double& truncated) const
+{
+    return along(ray, mediumAt(ray.origin), {.random = random, .truncated = truncated, .pixelAngle = pixelAngle});
+}
+
+vec3 Integrator::skyAlong(const dvec3& direction, const Walk& walk) const
+{
+    if (walk.isIndirect) return vec3(0.0f); // the sky's light on surfaces is the spherical harmonics'
+    const vec3 d(direction);
+    vec3 sky = world_.light.sky.radiance(d);
+    if (walk.showsSun && world_.light.hasSun() &&
+        glm::length(glm::cross(d, world_.light.sunDirection)) < std::sin(sunAngularRadius) &&
+        glm::dot(d, world_.light.sunDirection) > 0.0f)
+        sky += world_.light.sky.sunDiscRadiance();
+    return sky;
+}
+
+vec3 Integrator::along(const Ray& ray, Medium medium, Walk walk) const
+{
+    const bool isWet = medium == Medium::water;
+    // Water that glows is the passes' model of scattering; light gathered by a surface is only absorbed.
+    const vec3 deep = walk.isIndirect ? vec3(0.0f) : world_.light.deepRadiance;
+    const auto meeting = nearest(ray, medium);
+    if (!meeting) return isWet ? deep : skyAlong(ray.direction, walk);
+    walk.length += meeting->distance;
+    const vec3 radiance = meeting->hit ? shade(ray, *meeting->hit, medium, walk)
+                                       : atSurface(ray, meeting->distance, medium, walk);
+    if (!isWet) return radiance;
+    const vec3 a = optics::beerLambert(world_.light.absorption, static_cast<float>(meeting->distance));
+    return optics::radianceThroughWater(radiance, deep, a);
+}
+
+vec3 Integrator::atSurface(const Ray& ray, double distance, Medium medium, Walk walk) const
+{
+    if (walk.events >= world_.options.depth || walk.weight < leastWeight) {
+        walk.truncated += walk.weight;
+        return vec3(0.0f);
+    }
+    ++walk.events;
+    const dvec3 U = ray.origin + distance * ray.direction;
+    return medium == Medium::air ? fromAbove(ray, U, walk) : fromBelow(ray, U, walk);
+}
+
+vec3 Integrator::glint(const dvec3& U, const dvec3& n, const vec3& toEye) const
+{
+    const Light& light = world_.light;
+    if (!light.hasSun() || glm::dot(n, dvec3(light.sunDirection)) <= 0.0) return vec3(0.0f);
+    const vec3 between = toEye + light.sunDirection;
+    const float length = glm::length(between);
+    if (length < 1e-6f) return vec3(0.0f);
+    const float fresnel = optics::fresnelExact(std::max(glm::dot(toEye, between / length), 0.0f), 1.0f / light.ior);
+    const vec3 radiance = optics::sunGlint(light.sunIrradiance, fresnel, vec3(n), toEye, light.sunDirection,
+                                           world_.sunRoughness * world_.sunRoughness);
+    if (radiance == vec3(0.0f)) return radiance;
+    return world_.geometry.occluded({U, dvec3(light.sunDirection)}, 1e-3, farthest) ? vec3(0.0f) : radiance;
+}
+
+vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
+{
+    const dvec3 n = world_.water->normal(U.x, U.z);
+    const double cosine = std::max(-glm::dot(n, ray.direction), 0.0);
+    const double ior = world_.light.ior;
+    const Approximations& rough = world_.approximations;
+    const double F = rough.schlickExponent > 0.0f
+                         ? optics64::fresnelSchlick(cosine, ior, static_cast<double>(rough.schlickExponent))
+                         : optics64::fresnelExact(cosine, 1.0 / ior);
+
+    Walk mirrored = walk;
+    mirrored.weight *= F;
+    mirrored.showsSun = false; // the glint is its image
+    const dvec3 R = optics64::reflectRay(ray.direction, n);
+    const vec3 reflected = along({U, R}, Medium::air, mirrored);
+
+    Walk passed = walk;
+    passed.weight *= 1.0 - F;
+    const vec3 refracted = along({U, optics64::refractRay(ray.direction, n, 1.0 / ior)}, Medium::water, passed);
+
+    const auto f = static_cast<float>(F);
+    vec3 sum = f * reflected + optics::radianceThroughSurface(1.0f - f, world_.light.ior) * refracted;
+    if (!walk.isIndirect) sum += glint(U, n, vec3(-ray.direction));
+    return sum;
+}
+
+vec3 Integrator::fromBelow(const Ray& ray, const dvec3& U, Walk walk) const
+{
+    const dvec3 down = -world_.water->normal(U.x, U.z);
+    const double cosine = std::max(-glm::dot(down, ray.direction), 0.0);
+    const double ior = world_.light.ior;
+    const double F = optics64::fresnelExact(cosine, ior);
+
+    Walk mirrored = walk;
+    mirrored.weight *= F;
+    const vec3 reflected = along({U, optics64::reflectRay(ray.direction, down)}, Medium::water, mirrored);
+    const auto f = static_cast<float>(F);
+    if (F >= 1.0) return reflected;
+
+    Walk passed = walk;
+    passed.weight *= 1.0 - F;
+    const vec3 above = along({U, optics64::refractRay(ray.direction, down, ior)}, Medium::air, passed);
+    return f * reflected + (1.0f - f) * world_.light.ior * world_.light.ior * above;
+}
+
+vec3 Integrator::shade(const Ray& ray, const Hit& hit, Medium medium, Walk walk) const
+{
+    const SurfacePoint point = world_.geometry.surfaceAt(ray, hit);
+    const Light& light = world_.light;
+    const vec3 toEye(-ray.direction);
+    const double footprint = walk.length * walk.pixelAngle;
+    vec3 radiance = point.emitted;
+    if (medium == Medium::water) {
+        const auto depth = static_cast<float>(world_.water->level() - point.position.y);
+        radiance += sunInWater(point, toEye, footprint);
+        radiance += point.albedo / pi *
+                    optics::skyIrradianceAtDepth(light.skyBelow, light.absorption, std::max(depth, 0.0f), point.normal);
+    } else {
+        radiance += sunInAir(point, toEye, walk);
+        radiance += point.albedo / pi * light.skyOn(point.normal);
+        if (point.material->alphaTested && point.material->transmission != vec3(0.0f))
+            radiance += point.albedo * point.material->transmission / pi * light.skyOn(-point.normal);
+    }
+    radiance += litByLamps(light, *point.material, point.albedo, vec3(point.position), point.normal, toEye);
+    if (walk.bounces < world_.options.bounces) radiance += point.albedo * gathered(point, medium, walk);
+    return radiance;
+}
+
+vec3 Integrator::sunInAir(const SurfacePoint& point, const vec3& toEye, Walk& walk) const
+{
+    const Light& light = world_.light;
+    if (!light.hasSun()) return vec3(0.0f);
+    const vec3 lit =
+        litBy(*point.material, point.albedo, point.normal, toEye, light.sunDirection, light.sunIrradiance);
+    if (lit == vec3(0.0f)) return lit;
+    const dvec3 sun = glm::normalize(dvec3(light.sunDirection));
+    const Across across(sun);
+    const dvec2 disc = std::tan(sunAngularRadius) * discFromSquare(walk.random.next2());
+    const dvec3 toSun = glm::normalize(sun + disc.x * across.a + disc.y * across.b);
+    const dvec3 outward(point.geometricNormal);
+    const dvec3 from = point.position + (glm::dot(outward, toSun) > 0.0 ? offset : -offset) * outward;
+    return world_.geometry.occluded({from, toSun}, offset, farthest) ? vec3(0.0f) : lit;
+}
+
+std::optional<vec3> Integrator::causticsAt(const dvec3& position, double footprint) const
+{
+    const auto known = world_.sunMap.relativeIrradiance(position, footprint);
+    if (!known || *known == vec3(0.0f)) return known;
+    const dvec3 toSun = glm::normalize(dvec3(world_.light.sunDirectionBelow));
+    if (world_.geometry.occluded({position, toSun}, 5e-3, contactLength)) return vec3(0.0f);
+    return known;
+}
+
+vec3 Integrator::sunInWater(const SurfacePoint& point, const vec3& toEye, double footprint) const
+{
+    const Light& light = world_.light;
+    if (!light.hasSun()) return vec3(0.0f);
+    vec3 irradiance; // facing the refracted sun
+    if (const auto relative = causticsAt(point.position, footprint)) {
+        irradiance = *relative * light.sunIrradiance * (light.sunDirection.y / light.sunDirectionBelow.y);
+    } else {
+        // No photons were asked for here: a flat surface's light, with true shadows.
+        const auto depth = static_cast<float>(world_.water->level() - point.position.y);
+        irradiance = light.sunBelow * optics::beerLambert(light.absorption, depth / light.sunDirectionBelow.y);
+        const dvec3 below(light.sunDirectionBelow);
+        const double way = std::max(static_cast<double>(depth), 0.0) / below.y;
+        const dvec3 U = point.position + way * below;
+        if (world_.geometry.occluded({point.position, below}, 5e-3, std::max(way, 5e-3)) ||
+            world_.geometry.occluded({U, dvec3(light.sunDirection)}, 5e-3, farthest))
+            return vec3(0.0f);
+    }
+    return litBy(*point.material, point.albedo, point.normal, toEye, light.sunDirectionBelow, irradiance);
+}
+
+/// Light from other surfaces, for one direction in proportion to the cosine: the mean radiance over the hemisphere.
+vec3 Integrator::gathered(const SurfacePoint& point, Medium medium, Walk walk) const
+{
+    ++walk.bounces;
+    walk.isIndirect = true;
+    walk.weight *= std::max({point.albedo.x, point.albedo.y, point.albedo.z});
+    walk.events = 0; // a new start: the limit is that of one path between surfaces
+    const dvec3 n(glm::dot(point.normal, point.geometricNormal) > 0.0f ? point.normal : point.geometricNormal);
+    const dvec2 disc = discFromSquare(walk.random.next2());
+    const Across across(n);
+    const double up = std::sqrt(std::max(1.0 - disc.x * disc.x - disc.y * disc.y, 0.0));
+    const dvec3 direction = glm::normalize(disc.x * across.a + disc.y * across.b + up * n);
+    return along({point.position + offset * dvec3(point.geometricNormal), direction}, medium, walk);
+}
+
+} // namespace tarn::reference

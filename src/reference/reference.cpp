@@ -1,0 +1,298 @@
+#include "reference/reference.h"
+
+#include "base/error.h"
+#include "base/progress.h"
+#include "reference/accumulation.h"
+#include "reference/integrator.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+namespace tarn::reference {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Rays through a picture, pixel (0, 0) at its upper left.
+class Lens {
+public:
+    Lens(const Camera& camera, ivec2 size) : eye_(camera.eye), size_(size)
+    {
+        forward_ = glm::normalize(dvec3(camera.target) - eye_);
+        right_ = glm::normalize(glm::cross(forward_, dvec3(camera.up)));
+        up_ = glm::cross(right_, forward_);
+        tangent_ = std::tan(0.5 * static_cast<double>(camera.verticalFov));
+    }
+    /// @param x,y in pixels from the upper left corner
+    Ray through(double x, double y) const
+    {
+        const double scale = 2.0 * tangent_ / size_.y;
+        const double u = (x - 0.5 * size_.x) * scale, v = (0.5 * size_.y - y) * scale;
+        return {eye_, glm::normalize(forward_ + u * right_ + v * up_)};
+    }
+    double pixelAngle() const { return 2.0 * tangent_ / size_.y; }
+
+private:
+    dvec3 eye_, forward_, right_, up_;
+    ivec2 size_;
+    double tangent_;
+};
+
+template <typename Visit> void overPixels(ivec2 size, const Visit& visit)
+{
+    tbb::parallel_for(tbb::blocked_range<int>(0, size.y), [&](const auto& rows) {
+        for (int y = rows.begin(); y < rows.end(); ++y)
+            for (int x = 0; x < size.x; ++x)
+                visit(x, y, static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
+    });
+}
+
+void requireSize(ivec2 size)
+{
+    if (size.x < 1 || size.y < 1 || size.x > 16384 || size.y > 16384)
+        throw Error("a reference of {}x{} pixels cannot be traced; 1 to 16384 a side", size.x, size.y);
+}
+
+} // namespace
+
+struct Tracer::State {
+    const Scene& scene;
+    const WaterBody& body;
+    float sunRoughness;
+    Geometry geometry;
+    Light light;
+
+    State(const Scene& s, const WaterBody& w, float roughness)
+        : scene(s), body(w), sunRoughness(roughness), geometry(s), light(s, w)
+    {
+    }
+
+    SunMap::Inputs mapInputs(const WaterSurface& water, int photons, int seed) const
+    {
+        return {geometry, water, light, photons, seed};
+    }
+    std::optional<WaterSurface> surface(const ViewRequest& view) const
+    {
+        if (!body.present) return std::nullopt;
+        return WaterSurface(body, view.time, view.gridSize);
+    }
+    SunMap sunMap(const ViewRequest& view, const WaterSurface* water, const ReferenceOptions& options,
+                  Progress* progress) const;
+    World world(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
+                const ReferenceOptions& options) const
+    {
+        World result{geometry, water, light, map, sunRoughness, options, view.approximations};
+        result.approximations.eye = dvec3(view.camera.eye);
+        return result;
+    }
+    std::string identity(const ViewRequest& view, const ReferenceOptions& options) const;
+};
+
+Tracer::Tracer(const Scene& scene, const WaterBody& water, float sunRoughness)
+    : state_(std::make_unique<State>(scene, water, sunRoughness))
+{
+}
+
+Tracer::~Tracer() = default;
+
+/// Photons are wanted where the picture looks: a coarse picture finds out.
+SunMap Tracer::State::sunMap(const ViewRequest& view, const WaterSurface* water, const ReferenceOptions& options,
+                             Progress* progress) const
+{
+    if (!water || !light.hasSun() || view.flatLight) return {};
+    const SunMap none;
+    const World probe = world(view, water, none, options);
+    const Integrator integrator(probe);
+    // Finer than pixels for small pictures: a reference of a few pixels still needs its light.
+    const double step = std::max(std::sqrt(static_cast<double>(view.size.x) * view.size.y / 30000.0), 0.25);
+    const ivec2 coarse = glm::max(ivec2(glm::dvec2(view.size) / step), ivec2(1));
+    const Lens lens(view.camera, coarse);
+    std::vector<std::vector<LightQuery>> found(static_cast<std::size_t>(coarse.x) * static_cast<std::size_t>(coarse.y));
+    const double pixelAngle = Lens(view.camera, view.size).pixelAngle();
+    overPixels(coarse, [&](int x, int y, std::size_t pixel) {
+        integrator.lightQueries(lens.through(x + 0.5, y + 0.5), pixelAngle, found[pixel]);
+    });
+    std::vector<LightQuery> queries;
+    for (const auto& some : found) queries.insert(queries.end(), some.begin(), some.end());
+    return SunMap(mapInputs(*water, options.photons, options.seed), queries, progress);
+}
+
+std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOptions& options) const
+{
+    const Camera& c = view.camera;
+    const auto triple = [](const vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    std::string text = fmt::format(
+        "{}; eye {}; target {}; up {}; fov {}; time {}; {}x{}; depth {}; bounces {}; photons {}; seed {}; water {} {} "
+        "{},{} {},{}; grid {}; flat {}; sun {}; roughness {}; approximations {} {} {} {}",
+        scene.file.string(), triple(c.eye), triple(c.target), triple(c.up), c.verticalFov, view.time, view.size.x,
+        view.size.y, options.depth, options.bounces, options.photons, options.seed, body.level, body.ior, body.extent.x,
+        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.flatLight, triple(light.sunDirection), sunRoughness,
+        view.approximations.schlickExponent, view.approximations.reflectionDistance,
+        view.approximations.reflectionClip, view.approximations.refractionClip);
+    for (const Wave& w : body.waves)
+        text += fmt::format("; {} {} {} {} {}", w.amplitude, w.wavelength, w.direction, w.phase, w.period);
+    text += fmt::format("; {}; {}; {} triangles at {}", triple(body.absorption), triple(body.colour),
+                        scene.meshes.size(), triple(geometry.bounds().upper));
+    return text;
+}
+
+namespace {
+
+float luminance(const vec3& c) { return glm::dot(c, vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+/// One more path through each pixel. The places within the pixels follow an even sequence, shifted per pixel.
+void addSample(const Integrator& integrator, const Lens& lens, int seed, Accumulation& sums)
+{
+    const int sample = sums.samples;
+    overPixels(sums.size, [&](int x, int y, std::size_t pixel) {
+        Random shift(static_cast<std::uint64_t>(seed), pixel);
+        const dvec2 place = evenlySpread(static_cast<std::uint64_t>(sample), shift.next2());
+        Random random(static_cast<std::uint64_t>(seed) + 1u, pixel << 24 | static_cast<std::uint64_t>(sample));
+        double truncated = 0.0;
+        const vec3 radiance =
+            integrator.radiance(lens.through(x + place.x, y + place.y), lens.pixelAngle(), random, truncated);
+        sums.radiance[pixel] += radiance;
+        sums.squares[pixel] += luminance(radiance) * luminance(radiance);
+        sums.truncated[pixel] += static_cast<float>(truncated);
+    });
+    ++sums.samples;
+}
+
+/// Standard error of the pixels' means, RMS, over the mean luminance; of few samples, nothing can be said.
+double noiseOf(const Accumulation& sums)
+{
+    if (sums.samples < 2) return 0.0;
+    const double n = sums.samples;
+    double error = 0.0, total = 0.0;
+    for (std::size_t i = 0; i < sums.radiance.size(); ++i) {
+        const double mean = luminance(sums.radiance[i]) / n;
+        error += std::max(sums.squares[i] / n - mean * mean, 0.0) / (n - 1.0);
+        total += mean;
+    }
+    const auto pixels = static_cast<double>(sums.radiance.size());
+    return total > 0.0 ? std::sqrt(error / pixels) / (total / pixels) : 0.0;
+}
+
+double meanTruncated(const Accumulation& sums)
+{
+    double total = 0.0;
+    for (const float share : sums.truncated) total += share;
+    return total / (static_cast<double>(sums.truncated.size()) * std::max(sums.samples, 1));
+}
+
+void samplesInto(Accumulation& sums, const Integrator& integrator, const Lens& lens, const ReferenceOptions& options,
+                 const std::string& identity, const Checkpoint& checkpoint, Progress* progress)
+{
+    auto saved = Clock::now();
+    while (sums.samples < options.samples) {
+        const bool stops = checkpoint.interrupt && *checkpoint.interrupt;
+        if (!checkpoint.file.empty() && sums.samples > 0 && (stops || secondsSince(saved) > checkpoint.everySeconds)) {
+            save(checkpoint.file, sums, identity);
+            saved = Clock::now();
+        }
+        if (stops) throw Interrupted();
+        addSample(integrator, lens, options.seed, sums);
+        if (progress)
+            progress->report(static_cast<double>(sums.samples) / options.samples,
+                             fmt::format("tracing sample {} of {}", sums.samples, options.samples));
+    }
+}
+
+} // namespace
+
+Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options, Progress* progress,
+                       const Checkpoint& checkpoint, TraceReport* report) const
+{
+    requireSize(view.size);
+    const auto start = Clock::now();
+    const State& s = *state_;
+    const std::string identity = s.identity(view, options);
+    Accumulation sums = checkpoint.file.empty() ? Accumulation(view.size) : load(checkpoint.file, view.size, identity);
+
+    const std::optional<WaterSurface> water = s.surface(view);
+    const SunMap map = s.sunMap(view, water ? &*water : nullptr, options, progress);
+    const World world = s.world(view, water ? &*water : nullptr, map, options);
+    const Integrator integrator(world);
+    const Lens lens(view.camera, view.size);
+    samplesInto(sums, integrator, lens, options, identity, checkpoint, progress);
+
+    Picture picture(view.size);
+    overPixels(view.size, [&](int x, int y, std::size_t pixel) {
+        picture.radiance[pixel] = sums.radiance[pixel] / static_cast<float>(sums.samples);
+        integrator.quantities(lens.through(x + 0.5, y + 0.5), lens.pixelAngle(), picture, pixel);
+    });
+    TraceReport done{.seconds = secondsSince(start),
+                     .truncatedShare = meanTruncated(sums),
+                     .causticsNoise = map.noise(),
+                     .lostPhotons = map.lostShare(),
+                     .photons = map.photonCount(),
+                     .radianceNoise = noiseOf(sums)};
+    picture.metadata = {
+        {"tarn:samples", fmt::format("{}", sums.samples)},
+        {"tarn:reference", identity},
+        {"tarn:radiance", "linear RGB; times 1/n^2 where it leaves the water and n^2 where it enters"},
+        {"tarn:truncated_share", fmt::format("{:.3g}", done.truncatedShare)},
+        {"tarn:radiance_noise", fmt::format("{:.3g}", done.radianceNoise)},
+        {"tarn:photons", fmt::format("{}", done.photons)},
+        {"tarn:caustics_noise", fmt::format("{:.3g}", done.causticsNoise)}};
+    if (report) *report = done;
+    return picture;
+}
+
+Picture Tracer::quantities(const ViewRequest& view, const ReferenceOptions& options, Progress* progress) const
+{
+    requireSize(view.size);
+    const State& s = *state_;
+    const std::optional<WaterSurface> water = s.surface(view);
+    const SunMap map = s.sunMap(view, water ? &*water : nullptr, options, progress);
+    const World world = s.world(view, water ? &*water : nullptr, map, options);
+    const Integrator integrator(world);
+    const Lens lens(view.camera, view.size);
+    Picture picture(view.size);
+    overPixels(view.size, [&](int x, int y, std::size_t pixel) {
+        integrator.quantities(lens.through(x + 0.5, y + 0.5), lens.pixelAngle(), picture, pixel);
+    });
+    return picture;
+}
+
+std::vector<std::optional<vec3>> Tracer::causticsMap(double time, const vec4& rect, int size, int photons, int seed,
+                                                     Progress* progress) const
+{
+    const State& s = *state_;
+    std::vector<std::optional<vec3>> result(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    if (!s.body.present || !s.light.hasSun()) return result;
+    const WaterSurface water(s.body, time);
+    const double texel = 2.0 * static_cast<double>(rect.z) / size;
+    // Four texels of the map to one of the answer, added up: light is counted, not sampled.
+    constexpr int fine = 4;
+    const SunMap map(s.mapInputs(water, photons, seed), rect, texel / fine, progress);
+    const dvec3 toSun = glm::normalize(dvec3(s.light.sunDirectionBelow));
+    overPixels(ivec2(size), [&](int x, int y, std::size_t index) {
+        vec3 sum(0.0f);
+        int met = 0;
+        for (int i = 0; i < fine * fine; ++i) {
+            const dvec2 plane(rect.x - rect.z + texel * (x + (i % fine + 0.5) / fine),
+                              rect.y - rect.w + texel * (y + (i / fine + 0.5) / fine));
+            if (!water.spans(plane.x, plane.y)) continue;
+            const dvec3 level(plane.x, water.level(), plane.y);
+            const auto hit = s.geometry.intersect({level, -toSun}, 0.0, 1e4, Sides::both);
+            if (!hit) continue;
+            if (const auto light = map.relativeIrradiance(level - hit->distance * toSun, texel / fine)) {
+                sum += *light;
+                ++met;
+            }
+        }
+        if (met == fine * fine) result[index] = sum / static_cast<float>(met);
+    });
+    return result;
+}
+
+} // namespace tarn::reference

@@ -1,0 +1,83 @@
+// Ground truth: pictures and per-pixel quantities of a view by ray tracing.
+//
+//     reference::Tracer tracer(scene, scene.water);
+//     const reference::Picture truth = tracer.render({camera, 1.5, {640, 480}}, options);
+//
+// The scene description is the viewer's; of the passes nothing is shared but shaders/shared.
+#pragma once
+
+#include "reference/approximations.h"
+#include "reference/options.h"
+#include "reference/picture.h"
+#include "scene/scene.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace tarn {
+class Progress;
+}
+
+namespace tarn::reference {
+
+struct ViewRequest {
+    Camera camera;
+    double time = 0.0;     ///< s
+    ivec2 size{640, 480};  ///< pixels
+    int gridSize = 0;      ///< > 0: the surface as the viewer's grid draws it, for the error budget
+    bool flatLight = false; ///< the sun's light under water as a flat surface lets it through
+    Approximations approximations{};
+};
+
+/// What it took and how far it can be trusted; also in the picture's metadata.
+struct TraceReport {
+    double seconds = 0.0;
+    double truncatedShare = 0.0; ///< upper bound of the mean share of a pixel's light that was not followed
+    double causticsNoise = 0.0;  ///< standard error of the sun's light under water, of its mean
+    double lostPhotons = 0.0;    ///< share that met no bed
+    std::size_t photons = 0;
+    double radianceNoise = 0.0;  ///< standard error of the pixels' mean luminance, RMS, of the mean luminance
+};
+
+/// Where unfinished work is kept, so that it can go on: samples are added in the same order either way, so that an
+/// interrupted picture ends bit for bit as an uninterrupted one.
+struct Checkpoint {
+    std::filesystem::path file;                ///< empty: none
+    double everySeconds = 60.0;
+    const std::atomic<bool>* interrupt = nullptr; ///< when it becomes true: save and throw Interrupted
+};
+
+/// The work was stopped from outside; what was done is in the checkpoint.
+class Interrupted : public std::exception {
+public:
+    const char* what() const noexcept override { return "interrupted"; }
+};
+
+class Tracer {
+public:
+    /// Keeps references to both.
+    Tracer(const Scene& scene, const WaterBody& water, float sunRoughness = 0.02f);
+    ~Tracer();
+
+    /// Deterministic for the options' seed, whatever the number of threads. Throws Error for a checkpoint of another
+    /// picture, and Interrupted.
+    Picture render(const ViewRequest& view, const ReferenceOptions& options, Progress* progress = nullptr,
+                   const Checkpoint& checkpoint = {}, TraceReport* report = nullptr) const;
+
+    /// Only the quantities (no radiance), with the sun's light under water where options.photons > 0 asks for it.
+    Picture quantities(const ViewRequest& view, const ReferenceOptions& options, Progress* progress = nullptr) const;
+
+    /// The sun's light on the bed over a rectangle of the level plane (centre x, z and half extent), as
+    /// SunMap::relativeIrradiance gives it for the first thing that light along the refracted sun meets there. Rows of
+    /// `size` texels; nothing where no ground is met.
+    std::vector<std::optional<vec3>> causticsMap(double time, const vec4& rect, int size, int photons, int seed,
+                                                 Progress* progress = nullptr) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace tarn::reference

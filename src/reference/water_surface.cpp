@@ -1,0 +1,198 @@
+#include "reference/water_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tarn::reference {
+
+namespace {
+
+constexpr int maxWaves = blocks::maxWaves;
+
+/// sin for the march: 4e-6 exact, and a form that compilers turn into vector code.
+float fastSin(float x)
+{
+    constexpr float twoPi = 6.28318530718f;
+    constexpr float rounding = 12582912.0f; // 1.5 · 2^23: adding it leaves no bits for a fraction
+    const float turns = (x * (1.0f / twoPi) + rounding) - rounding;
+    const float r = x - turns * twoPi;
+    const float a = std::abs(r);
+    const float m = std::min(a, pi - a);
+    const float m2 = m * m;
+    const float s = m * (1.0f + m2 * (-1.6666667e-1f + m2 * (8.3333310e-3f + m2 * (-1.9840874e-4f + m2 * 2.7525562e-6f))));
+    return std::copysign(s, r);
+}
+
+/// The waves along a ray: each is a sine of the distance. In single precision, relative to a start in double.
+struct WavesAlongRay {
+    int count = 0;
+    std::array<float, maxWaves> amplitude, phase, frequency;
+    float steepest = 0.0f; ///< |dh/dt| is never more
+
+    WavesAlongRay(const std::vector<optics64::WaveTerm>& waves, double time, const dvec3& start, const dvec3& direction)
+        : count((static_cast<int>(waves.size()) + 3) / 4 * 4)
+    {
+        constexpr double twoPi = 2.0 * std::numbers::pi;
+        amplitude.fill(0.0f);
+        phase.fill(0.0f);
+        frequency.fill(0.0f);
+        for (std::size_t i = 0; i < waves.size(); ++i) {
+            const optics64::WaveTerm& w = waves[i];
+            amplitude[i] = static_cast<float>(w.amplitude);
+            phase[i] = static_cast<float>(
+                std::remainder(w.k.x * start.x + w.k.y * start.z - w.omega * time + w.phase, twoPi));
+            frequency[i] = static_cast<float>(w.k.x * direction.x + w.k.y * direction.z);
+            steepest += std::abs(amplitude[i] * frequency[i]);
+        }
+    }
+
+    float height(float t) const
+    {
+        float sum[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+        for (int i = 0; i < count; i += 4)
+            for (int j = 0; j < 4; ++j) {
+                const auto k = static_cast<std::size_t>(i + j);
+                sum[j] += amplitude[k] * fastSin(phase[k] + frequency[k] * t);
+            }
+        return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    }
+};
+
+/// The part of [lower, upper] in which start + t · rate stays between two values.
+void clipRange(double start, double rate, double least, double most, double& lower, double& upper)
+{
+    if (std::abs(rate) < 1e-12) {
+        if (start < least || start > most) upper = -1.0;
+        return;
+    }
+    const double a = (least - start) / rate, b = (most - start) / rate;
+    lower = std::max(lower, std::min(a, b));
+    upper = std::min(upper, std::max(a, b));
+}
+
+} // namespace
+
+WaterSurface::WaterSurface(const WaterBody& water, double time, int gridSize)
+    : time_(time), level_(water.level), lower_(dvec2(water.centre) - 0.5 * dvec2(water.extent)),
+      upper_(dvec2(water.centre) + 0.5 * dvec2(water.extent)), gridSize_(gridSize),
+      rect_(water.centre.x, water.centre.y, 0.5 * static_cast<double>(water.extent.x), 0.5 * static_cast<double>(water.extent.y))
+{
+    const std::size_t count = std::min<std::size_t>(water.waves.size(), maxWaves);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Wave& w = water.waves[i];
+        waves_.push_back(optics64::makeWaveTerm(w.amplitude, w.wavelength, w.direction, w.phase, w.period));
+    }
+    amplitude_ = optics64::totalAmplitude(waves_);
+}
+
+bool WaterSurface::spans(double x, double z) const
+{
+    return x >= lower_.x && x <= upper_.x && z >= lower_.y && z <= upper_.y;
+}
+
+double WaterSurface::height(double x, double z) const
+{
+    if (gridSize_ > 1)
+        return level_ + optics64::gridHeight(waves_.data(), static_cast<int>(waves_.size()), {x, z}, time_, rect_, gridSize_);
+    return level_ + optics64::waveHeight(waves_, {x, z}, time_);
+}
+
+bool WaterSurface::contains(const dvec3& point) const
+{
+    return spans(point.x, point.z) && point.y < height(point.x, point.z);
+}
+
+dvec3 WaterSurface::normal(double x, double z) const { return optics64::waveNormalAt(waves_, {x, z}, time_); }
+
+double WaterSurface::heightAbove(const dvec3& point) const { return point.y - height(point.x, point.z); }
+
+std::optional<double> WaterSurface::intersect(const Ray& ray, double tMin, double tMax, bool fromAbove) const
+{
+    const dvec3& d = ray.direction;
+    double lower = tMin, upper = tMax;
+    clipRange(ray.origin.x, d.x, lower_.x, upper_.x, lower, upper);
+    clipRange(ray.origin.z, d.z, lower_.y, upper_.y, lower, upper);
+    const double room = amplitude_ + 1e-4; // never flat, so that level water is met inside the range
+    clipRange(ray.origin.y, d.y, level_ - room, level_ + room, lower, upper);
+    if (!(lower < upper)) return std::nullopt;
+    const double side = fromAbove ? 1.0 : -1.0;
+    if (gridSize_ > 1) return intersectGrid(ray, lower, upper, side);
+
+    const dvec3 start = ray.origin + lower * d;
+    const WavesAlongRay waves(waves_, time_, start, d);
+    const auto slope = static_cast<float>(d.y);
+    const auto offset = static_cast<float>(start.y - level_);
+    const float bound = std::abs(slope) + waves.steepest;
+    const auto reach = static_cast<float>(upper - lower);
+    const auto sign = static_cast<float>(side);
+    // Where the surface bends away within a millimetre it does so by less than a micrometre.
+    constexpr float leastStep = 1.0e-3f;
+    // A ray that begins beyond the surface (beside the water's rectangle, or by rounding) has first to come out.
+    bool isInside = false;
+    for (float t = 0.0f, last = 0.0f; last < reach; t = std::min(t, reach)) {
+        const float gap = sign * (offset + slope * t - waves.height(t));
+        if (gap <= 0.0f && isInside)
+            if (const auto found = refine(ray, lower + static_cast<double>(last), lower + static_cast<double>(t), side))
+                return found;
+        isInside = gap > 0.0f;
+        last = t;
+        t += std::max(gap / bound, leastStep);
+    }
+    return std::nullopt;
+}
+
+/// Bisection guards Newton's method. `inside`: still in the ray's medium; `outside`: beyond the surface.
+std::optional<double> WaterSurface::refine(const Ray& ray, double inside, double outside, double side) const
+{
+    const auto gapAt = [&](double t) { return side * heightAbove(ray.origin + t * ray.direction); };
+    // The march works in single precision: what it saw may be its rounding.
+    if (gapAt(outside) > 0.0) return std::nullopt;
+    if (gapAt(inside) <= 0.0) return inside;
+    double t = 0.5 * (inside + outside);
+    for (int i = 0; i < 60 && outside - inside > 1e-7; ++i) {
+        const dvec3 p = ray.origin + t * ray.direction;
+        const optics64::WaveSample wave = optics64::waveAt(waves_, {p.x, p.z}, time_);
+        const double gap = side * (p.y - level_ - wave.height);
+        if (std::abs(gap) < 1e-10) return t;
+        (gap > 0.0 ? inside : outside) = t;
+        const double rate = side * (ray.direction.y - wave.slope.x * ray.direction.x - wave.slope.y * ray.direction.z);
+        const double newton = rate != 0.0 ? t - gap / rate : inside;
+        t = newton > inside && newton < outside ? newton : 0.5 * (inside + outside);
+    }
+    return t;
+}
+
+/// Along a ray the grid's height is a line between the edges of its triangles: walk from edge to edge.
+std::optional<double> WaterSurface::intersectGrid(const Ray& ray, double tMin, double tMax, double side) const
+{
+    const double cells = gridSize_ - 1;
+    const dvec2 cell = (upper_ - lower_) / cells;
+    // In cells: the edges lie where u, v or u + v is whole.
+    const dvec2 from((ray.origin.x - lower_.x) / cell.x, (ray.origin.z - lower_.y) / cell.y);
+    const dvec2 rate(ray.direction.x / cell.x, ray.direction.z / cell.y);
+    const std::array<double, 3> starts{from.x, from.y, from.x + from.y}, rates{rate.x, rate.y, rate.x + rate.y};
+    const auto nextEdge = [&](double t) {
+        double next = tMax;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (std::abs(rates[i]) < 1e-12) continue;
+            const double at = starts[i] + (t + 1e-9) * rates[i];
+            const double edge = rates[i] > 0.0 ? std::floor(at) + 1.0 : std::ceil(at) - 1.0;
+            const double when = (edge - starts[i]) / rates[i];
+            if (when > t + 1e-9) next = std::min(next, when);
+        }
+        return next;
+    };
+    double t = tMin;
+    double gap = side * heightAbove(ray.origin + t * ray.direction);
+    while (t < tMax) {
+        const double next = nextEdge(t);
+        const double nextGap = side * heightAbove(ray.origin + next * ray.direction);
+        if (nextGap <= 0.0 && gap > 0.0) return t + (next - t) * gap / (gap - nextGap);
+        t = next;
+        gap = nextGap;
+    }
+    return std::nullopt;
+}
+
+} // namespace tarn::reference

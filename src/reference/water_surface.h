@@ -1,0 +1,52 @@
+// The water's surface as rays meet it: the wave function itself, or the triangles that the viewer makes of it.
+#pragma once
+
+#include "optics/optics.h"
+#include "optics/waves.h"
+#include "reference/geometry.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace tarn::reference {
+
+class WaterSurface {
+public:
+    /// @param gridSize 0: the wave function, else a grid of gridSize x gridSize vertices, as passes/water.vert draws it
+    /// (normals stay those of the waves)
+    WaterSurface(const WaterBody& water, double time, int gridSize = 0);
+
+    /// Whether a point is over or under the water's rectangle.
+    bool spans(double x, double z) const;
+    /// Height of the surface, world y.
+    double height(double x, double z) const;
+    /// Whether a point lies in the water.
+    bool contains(const dvec3& point) const;
+    /// Unit, up.
+    dvec3 normal(double x, double z) const;
+
+    /// Distance to the first place where a ray leaves its medium through the surface, with tMin < t < tMax: exact to
+    /// 1e-5 m. The surface is a function of x and z that changes by less than Σ A k per metre, so that steps of
+    /// distance / that bound cannot pass it (sphere tracing, Hart 1996); bracketed Newton ends the search.
+    /// @param fromAbove the ray starts in the air
+    std::optional<double> intersect(const Ray& ray, double tMin, double tMax, bool fromAbove) const;
+
+    double level() const { return level_; }
+    double amplitude() const { return amplitude_; } ///< the surface stays within level ± this
+    dvec2 lower() const { return lower_; }
+    dvec2 upper() const { return upper_; }
+
+private:
+    double heightAbove(const dvec3& point) const;
+    std::optional<double> refine(const Ray& ray, double inside, double outside, double side) const;
+    std::optional<double> intersectGrid(const Ray& ray, double tMin, double tMax, double side) const;
+
+    std::vector<optics64::WaveTerm> waves_;
+    double time_ = 0.0, level_ = 0.0, amplitude_ = 0.0;
+    dvec2 lower_{0.0}, upper_{0.0};
+    int gridSize_ = 0;
+    glm::dvec4 rect_{0.0}; ///< centre and half extent
+};
+
+} // namespace tarn::reference
