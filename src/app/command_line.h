@@ -3,6 +3,7 @@
 
 #include "app/settings.h"
 #include "base/math.h"
+#include "measure/flip.h"
 #include "measure/paper_tables.h"
 #include "render/debug_view.h"
 
@@ -70,6 +71,16 @@ struct ExplainCommand {
     std::string json;
 };
 
+struct CompareCommand {
+    std::filesystem::path reference, test;
+    std::filesystem::path out;      ///< the map of FLIP: .png as colours, .exr as values; empty: none
+    std::optional<double> exposure; ///< of linear pictures; what their header says by default
+    std::string toneCurve;          ///< the same
+    double pixelsPerDegree = defaultPixelsPerDegree;
+    std::optional<double> maxFlip; ///< fails when the mean is over it
+    std::string json;
+};
+
 struct OptionsCommand {
     std::string json;
 };
@@ -85,7 +96,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, BenchCommand, ExplainCommand,
-                             OptionsCommand, InfoCommand>;
+                             CompareCommand, OptionsCommand, InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a
 /// word that is none.

@@ -12,6 +12,7 @@ void run(const PrintCommand& command);
 void run(const RenderCommand& command);
 void run(const BenchCommand& command);
 void run(const ExplainCommand& command);
+void run(const CompareCommand& command);
 void run(const OptionsCommand& command);
 void run(const InfoCommand& command);
 
