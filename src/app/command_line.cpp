@@ -75,6 +75,14 @@ public:
         });
     }
 
+    void number(const std::string& flag, const char* what, const char* doc, std::optional<double>& value,
+                double lower, double upper)
+    {
+        this->value(flag, what, doc, [=, &value](const std::string& text, const std::string& name) {
+            value = parseNumber(text, name, lower, upper);
+        });
+    }
+
     void vector(const std::string& flag, const char* doc, std::optional<vec3>& value)
     {
         this->value(flag, "X,Y,Z", doc, [&value](const std::string& text, const std::string& name) {
@@ -238,6 +246,40 @@ std::function<Command()> defineExplain(Flags& flags)
     return [command] { return *command; };
 }
 
+std::string parseToneCurve(const std::string& text, const std::string& flag)
+{
+    Options options; // the option's own check, so that its names stand in one place
+    assign([&](FieldVisitor& visitor) { visit(visitor, options); }, {"frame.tone_curve", text, flag});
+    return text;
+}
+
+std::function<Command()> defineCompare(Flags& flags)
+{
+    auto command = std::make_shared<CompareCommand>();
+    CompareCommand& c = *command;
+    flags.value("REFERENCE", "FILE", "The picture that is right: .png, .jpg, or .exr (linear)",
+                [&c](const std::string& text, const std::string&) { c.reference = text; });
+    flags.value("TEST", "FILE", "The picture to judge, of the same size",
+                [&c](const std::string& text, const std::string&) { c.test = text; });
+    flags.value("--out", "FILE", "Map of the differences seen: .png as colours, .exr as FLIP's values",
+                [&c](const std::string& text, const std::string&) { c.out = text; });
+    flags.number("--exposure", "E", "Factor on linear pictures; the reference's own by default", c.exposure, 0.0,
+                 1000.0);
+    flags.value("--tone-curve", "NAME", "linear, reinhard or aces; the reference's own by default",
+                [&c](const std::string& text, const std::string& flag) {
+                    c.toneCurve = parseToneCurve(text, flag);
+                });
+    flags.number("--ppd", "P", "Pixels that fill a degree of the viewer's sight", c.pixelsPerDegree,
+                 leastPixelsPerDegree, mostPixelsPerDegree);
+    flags.number("--max-flip", "X", "Fail when the mean FLIP is over X", c.maxFlip, 0.0, 1.0);
+    flags.text("--json", "FILE", jsonDoc, c.json);
+    return [command]() -> Command {
+        if (command->test.empty())
+            throw UsageError("compare needs two pictures, such as compare reference.png test.png");
+        return *command;
+    };
+}
+
 std::function<Command()> defineOptions(Flags& flags)
 {
     auto command = std::make_shared<OptionsCommand>();
@@ -265,6 +307,7 @@ constexpr CommandRow commands[] = {
     {"reference", "Trace the true picture, and what the water hides in it", defineReference},
     {"bench", "Measure what a frame and its passes cost, with the water and without", defineBench},
     {"explain", "Say which passes a frame runs, and why", defineExplain},
+    {"compare", "Say how different two pictures are, to the eye and in their values", defineCompare},
     {"options", "List every option", defineOptions},
     {"info", "Say what this program, machine and scene are", defineInfo},
 };

@@ -3,6 +3,7 @@
 
 #include "app/settings.h"
 #include "base/math.h"
+#include "measure/flip.h"
 #include "measure/paper_tables.h"
 #include "reference/options.h"
 #include "render/debug_view.h"
@@ -79,6 +80,16 @@ struct ExplainCommand {
     std::string json;
 };
 
+struct CompareCommand {
+    std::filesystem::path reference, test;
+    std::filesystem::path out;      ///< the map of FLIP: .png as colours, .exr as values; empty: none
+    std::optional<double> exposure; ///< of linear pictures; what their header says by default
+    std::string toneCurve;          ///< the same
+    double pixelsPerDegree = defaultPixelsPerDegree;
+    std::optional<double> maxFlip; ///< fails when the mean is over it
+    std::string json;
+};
+
 struct OptionsCommand {
     std::string json;
 };
@@ -93,8 +104,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, BenchCommand, ExplainCommand,
-                             OptionsCommand, InfoCommand>;
+using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, CompareCommand, BenchCommand,
+                             ExplainCommand, OptionsCommand, InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a
 /// word that is none.

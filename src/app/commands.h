@@ -13,6 +13,7 @@ void run(const RenderCommand& command);
 void run(const ReferenceCommand& command);
 void run(const BenchCommand& command);
 void run(const ExplainCommand& command);
+void run(const CompareCommand& command);
 void run(const OptionsCommand& command);
 void run(const InfoCommand& command);
 

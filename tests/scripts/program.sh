@@ -10,7 +10,7 @@ pool=$project/tests/image/scenes/checkered_bed.toml
 test_help() {
     call 0 --help
     local command
-    for command in view render bench explain options info; do
+    for command in view render bench explain compare options info; do
         grep -qw "$command" "$work/stdout" || fail "--help does not name $command"
     done
     call 0 render --help
@@ -169,6 +169,48 @@ test_json() {
     grep -q '^| caustics off ' "$work/stdout" || fail "bench --table 2 has no row without caustics"
     grep -q '"ours_over_thesis"' c.json || fail "the table's JSON does not compare with the thesis"
     only_in_out a.json a.png b.json c.json
+}
+
+test_compare() {
+    call 0 render "$pool" --size 64x48 --out a.png
+    call 0 render "$pool" --size 64x48 --set water.enabled=false --out b.png
+    call 0 compare a.png a.png --max-flip 0
+    grep -Eq 'mean FLIP +0\.000000' "$work/stdout" || fail "a picture differs from itself"
+    call 0 compare a.png b.png --out heat.png --json c.json
+    grep -Eq 'mean FLIP +0\.[0-9]*[1-9]' "$work/stdout" || fail "a pool without water looks the same"
+    grep -q 'RMSE' "$work/stdout" && grep -q '"rmse"' c.json || fail "there is no RMSE"
+    call 1 compare a.png b.png --max-flip 0
+    grep -q 'max-flip' "$work/stderr" && grep -q 'mean FLIP' "$work/stdout" || fail "the limit was passed unsaid"
+    only_in_out a.png b.png heat.png c.json
+}
+
+# The exposure comes from the header: as linear files, two renderings look as they do as PNG.
+test_compare_linear() {
+    local extension set
+    for extension in png exr; do
+        for set in true false; do
+            call 0 render "$pool" --size 64x48 --set frame.exposure=0.5 --set "water.enabled=$set" \
+                --set glow.enabled=false --set frame.tone_curve=reinhard --out "$set.$extension"
+        done
+        call 0 compare "true.$extension" "false.$extension"
+        grep -o 'mean FLIP  *[0-9.]\{6\}' "$work/stdout" >"$work/$extension"
+    done
+    grep -Eq 'exposure +0\.5 +from true\.exr' "$work/stdout" || fail "the header's exposure was not used"
+    grep -q 'reinhard' "$work/stdout" || fail "the header's tone curve was not used"
+    cmp "$work/png" "$work/exr" || fail "FLIP of linear files is $(cat "$work/exr"), of shown ones $(cat "$work/png")"
+}
+
+test_compare_bad_input() {
+    call 0 render "$pool" --size 16x16 --out a.png
+    call 0 render "$pool" --size 16x12 --out b.png
+    refuse 2 'two pictures' compare a.png
+    refuse 2 'tone-curve' compare a.png a.png --tone-curve film
+    refuse 2 'png' compare a.png a.png --out heat.bmp
+    refuse 1 'nowhere\.png' compare a.png nowhere.png
+    refuse 1 'b\.png.*16x12.*a\.png.*16x16' compare a.png b.png --out heat.png
+    refuse 1 'no/such/folder' compare a.png a.png --out no/such/folder/heat.png
+    refuse 1 'no/such/folder' compare a.png a.png --json no/such/folder/c.json
+    only_in_out a.png b.png
 }
 
 test_options() {

@@ -135,6 +135,42 @@ TEST(CommandLine, BenchTables)
     EXPECT_NE(complaint({"render", "--table", "2", "--out", "a.png"}).find("--table"), std::string::npos);
 }
 
+TEST(CommandLine, Compare)
+{
+    const auto bare = parsed<CompareCommand>({"compare", "a.png", "b.png"});
+    EXPECT_EQ(bare.reference, "a.png");
+    EXPECT_EQ(bare.test, "b.png");
+    EXPECT_TRUE(bare.out.empty());
+    EXPECT_FALSE(bare.exposure || bare.maxFlip);
+    EXPECT_DOUBLE_EQ(bare.pixelsPerDegree, defaultPixelsPerDegree);
+    const auto full = parsed<CompareCommand>({"compare", "--ppd", "40", "a.exr", "--exposure", "0.5", "b.exr",
+                                              "--tone-curve", "reinhard", "--out", "heat.png", "--max-flip",
+                                              "0.1", "--json", "-"});
+    EXPECT_EQ(full.reference, "a.exr");
+    EXPECT_EQ(full.test, "b.exr");
+    EXPECT_EQ(full.out, "heat.png");
+    EXPECT_DOUBLE_EQ(*full.exposure, 0.5);
+    EXPECT_EQ(full.toneCurve, "reinhard");
+    EXPECT_DOUBLE_EQ(full.pixelsPerDegree, 40.0);
+    EXPECT_DOUBLE_EQ(*full.maxFlip, 0.1);
+    EXPECT_EQ(full.json, "-");
+}
+
+TEST(CommandLine, CompareUsedWrongly)
+{
+    const auto with = [](const std::string& flag, const std::string& value) {
+        return complaint({"compare", "a.png", "b.png", flag, value});
+    };
+    EXPECT_NE(complaint({"compare"}).find("two pictures"), std::string::npos);
+    EXPECT_NE(complaint({"compare", "a.png"}).find("two pictures"), std::string::npos);
+    EXPECT_NE(complaint({"compare", "a.png", "b.png", "c.png"}).find("c.png"), std::string::npos);
+    EXPECT_NE(with("--tone-curve", "filmic").find("linear, reinhard, aces"), std::string::npos);
+    EXPECT_NE(with("--ppd", "0").find("--ppd 0"), std::string::npos);
+    EXPECT_NE(with("--max-flip", "2").find("--max-flip 2"), std::string::npos);
+    EXPECT_NE(with("--exposure", "-1").find("--exposure -1"), std::string::npos);
+    EXPECT_NE(with("--max-flop", "1").find("did you mean --max-flip?"), std::string::npos);
+}
+
 TEST(CommandLine, HelpAndVersionAreText)
 {
     EXPECT_NE(parsed<PrintCommand>({"--help"}).text.find("bench"), std::string::npos);
