@@ -172,6 +172,8 @@ void Renderer::setOptions(const Options& options, const WaterBody& water)
     state_->water = water;
 }
 
+const Options& Renderer::options() const { return state_->options; }
+
 void Renderer::setChecking(bool checking) { state_->checking = checking; }
 
 const std::vector<BadPixels>& Renderer::badPixels() const { return state_->bad; }
@@ -481,6 +483,7 @@ std::optional<CausticsMap> Renderer::readCaustics() const
     CausticsMap map{.region = s.region,
                     .edge = texture.size().x,
                     .light = {},
+                    .water = {s.water.centre, 0.5f * s.water.extent},
                     .level = s.water.level,
                     .toSun = s.light.sunDirectionBelow};
     const std::vector<float> texels = texture.readBack();

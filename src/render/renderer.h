@@ -57,11 +57,12 @@ struct BadPixels {
 
 /// The caustics texture and where it lies: what shaders/passes/scene.frag knows of it.
 struct CausticsMap {
-    CausticsRegion region; ///< rows from its least z, columns from its least x
-    int edge = 0;          ///< texels
+    CausticsRegion region;   ///< rows from its least z, columns from its least x
+    int edge = 0;            ///< texels
     std::vector<vec3> light; ///< irradiance relative to the sun's above the water, both through a level area
-    float level = 0.0f;    ///< of the plane that the region lies on, m
-    vec3 toSun{0.0f};      ///< towards the sun under water: the light of a point crosses the plane along it
+    LevelRect water;         ///< beside it no light enters
+    float level = 0.0f;      ///< of the plane that both lie on, m
+    vec3 toSun{0.0f};        ///< towards the sun under water: the light of a point crosses the plane along it
 };
 
 class Renderer {
@@ -76,6 +77,8 @@ public:
 
     /// Takes effect with the next frame. The water body starts as the scene's.
     void setOptions(const Options& options, const WaterBody& water);
+
+    const Options& options() const;
 
     /// Count NaN, infinity and negative radiance in every target from the next frame on (slow: reads them all back).
     void setChecking(bool checking);
