@@ -4,6 +4,7 @@
 #include "app/settings.h"
 #include "base/math.h"
 #include "measure/paper_tables.h"
+#include "measure/water_errors.h"
 #include "reference/options.h"
 #include "render/debug_view.h"
 
@@ -33,6 +34,7 @@ struct ViewArguments {
     CameraArguments camera;
     ivec2 size{1280, 720}; ///< pixels
     double time = 0.0;     ///< s
+    bool sizeGiven = false, timeGiven = false; ///< on the command line
 };
 
 struct ViewCommand {
@@ -41,6 +43,7 @@ struct ViewCommand {
     bool fullscreen = false;
     bool vsync = true;
     int frames = 0; ///< leaves after so many; 0: stays
+    std::filesystem::path reference; ///< a picture of `tarn reference` to compare with; empty: none
 };
 
 struct RenderCommand {
@@ -52,6 +55,9 @@ struct RenderCommand {
     std::string out; ///< file, pattern with %04d, or folder with allCameras
     bool allCameras = false;
     bool check = false;
+    std::optional<ErrorKind> error;  ///< a map of it, instead of the picture
+    std::filesystem::path reference; ///< what it is held against
+    double errorScale = 0.0;         ///< error of full colour, in its unit; 0: the kind's own
     std::string json; ///< file, "-" for standard output, or empty
 };
 

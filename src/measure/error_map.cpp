@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tarn
 {
@@ -37,7 +38,7 @@ Image errorMap(ErrorKind kind, const WaterQuantities& used, const reference::Pic
     map.floats.reserve(used.pixels());
     for (std::size_t pixel = 0; pixel < used.pixels(); ++pixel) {
         const std::optional<double> error = errorAt(kind, used, truth, pixel);
-        map.floats.push_back(error ? static_cast<float>(*error) : unknownError);
+        map.floats.push_back(error ? static_cast<float>(*error) : std::numeric_limits<float>::quiet_NaN());
     }
     return map;
 }
@@ -52,7 +53,7 @@ Image heatPicture(const Image& map, double scale)
     picture.channels = 3;
     picture.bytes.reserve(picture.size());
     for (const float error : map.floats) {
-        const vec3 colour = error < 0.0f ? grey : heat(static_cast<double>(error) / scale);
+        const vec3 colour = std::isnan(error) ? grey : heat(static_cast<double>(error) / scale);
         for (int c = 0; c < 3; ++c)
             picture.bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * colour[c])));
     }

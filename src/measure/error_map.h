@@ -7,10 +7,7 @@
 namespace tarn
 {
 
-/// What stands in a map where nothing is known.
-inline constexpr float unknownError = -1.0f;
-
-/// One channel of floats, in the kind's unit; unknownError where errorAt knows nothing. Throws Error when the sizes
+/// One channel of floats, in the kind's unit; NaN where errorAt knows nothing. Throws Error when the sizes
 /// differ.
 Image errorMap(ErrorKind kind, const WaterQuantities& used, const reference::Picture& truth);
 

@@ -105,7 +105,7 @@ TEST(Quantities, OfStillWaterAreTheFormulas)
     const Image map = errorMap(ErrorKind::caustics, used, truth);
     std::size_t known = 0;
     for (const float error : map.floats) {
-        if (error < 0.0f) continue;
+        if (std::isnan(error)) continue;
         ++known;
         EXPECT_LT(error, 0.05f);
     }
