@@ -28,6 +28,8 @@ struct CameraArguments {
     std::string name;
     std::optional<vec3> eye, target, up;
     std::optional<float> verticalFov; ///< radians
+
+    bool isGiven() const { return !name.empty() || eye || target || up || verticalFov; }
 };
 
 struct ViewArguments {

@@ -18,11 +18,6 @@ namespace tarn
 namespace
 {
 
-bool namesCamera(const CameraArguments& c)
-{
-    return !c.name.empty() || c.eye || c.target || c.up || c.verticalFov;
-}
-
 /// The reference's view, in which the command line may replace parts at its own risk.
 ReferenceView viewOf(const RenderCommand& command, const reference::Picture& truth, const Scene& scene)
 {
@@ -32,7 +27,7 @@ ReferenceView viewOf(const RenderCommand& command, const reference::Picture& tru
                     file, truth.size.x, truth.size.y);
     ReferenceView view = referenceView(truth, scene, command.reference);
     warnOfOtherScene(truth, scene, command.reference);
-    if (namesCamera(command.view.camera)) {
+    if (command.view.camera.isGiven()) {
         const Camera asked = chooseCamera(scene, command.view.camera);
         if (!isSameView(asked, view.camera)) log::warning("{}: was seen by another camera", file);
         view.camera = asked;
