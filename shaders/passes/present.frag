@@ -29,8 +29,8 @@ void main()
     vec3 mapped = TONE_CURVE(exposed);
 #elif DISPLAY == 1 // a length in metres, longer than ten of them is bright
     vec3 mapped = heat(value.r / (value.r + 10.0)) * value.a;
-#elif DISPLAY == 2 // a position: one cycle of colour a metre, there and back so that no rounding shows
-    vec3 mapped = abs(2.0 * fract(value.rgb) - 1.0) * value.a;
+#elif DISPLAY == 2 // a position: one cycle of colour a metre, there and back so that no rounding shows; or a direction
+    vec3 mapped = value.a > 1.5 ? 0.5 * value.rgb + 0.5 : abs(2.0 * fract(value.rgb) - 1.0) * value.a;
 #elif DISPLAY == 3 // a unit vector
     vec3 mapped = (0.5 * value.rgb + 0.5) * value.a;
 #elif DISPLAY == 5 // relative to flat water without loss, which is half grey

@@ -25,6 +25,12 @@ uniform float refractionDistance; // m of eq. 13
 uniform sampler2D reflectionColour;
 uniform mat4 reflectionClipFromWorld;
 uniform float reflectionDistance; // c of eq. 6
+#if DEBUG_VIEW == 7
+uniform sampler2D reflectionDepth;
+uniform mat4 reflectionClipFromView;
+uniform mat4 worldFromReflectionView;
+uniform vec2 reflectionNearFar;
+#endif
 #endif
 uniform float schlickExponent; // q of eq. 7
 
@@ -51,6 +57,20 @@ float refractionZ(vec3 positionR)
     float depth = texture(refractionDepth, refractionTexel(positionR)).r;
     return viewZFromDepth(depth, refractionNearFar.x, refractionNearFar.y);
 }
+
+#if DEBUG_VIEW == 6
+// The point whose picture is taken for W's, world: what the target shows at W's pixel. Alpha: 1, or 1/2 where that is no
+// valid sample: W is behind the camera or beside its target, or the target is empty there.
+vec4 shownFor(vec3 hitW)
+{
+    vec3 w = (refractionViewFromWorld * vec4(hitW, 1.0)).xyz;
+    vec2 texel = refractionTexel(w);
+    bool inside = all(greaterThanEqual(texel, vec2(0.0))) && all(lessThanEqual(texel, vec2(1.0)));
+    bool valid = w.z < 0.0 && inside && texture(refractionDepth, texel).r < 1.0;
+    vec3 seen = seenThrough(vec3(w.xy, min(w.z, -1.0e-3)), refractionZ(w));
+    return vec4((worldFromRefractionView * vec4(seen, 1.0)).xyz, valid ? 1.0 : 0.5);
+}
+#endif
 
 #ifndef UNDERWATER
 // Section 7.1 in the refraction camera's view space, whose eye is the origin.
@@ -80,10 +100,12 @@ Transmitted lookupBed(vec3 refracted)
 #endif
 
 #ifdef UNDERWATER
-// Radiance in the air along a ray that leaves the water, and the point W that it is taken from.
-vec3 lookupAir(vec3 refracted, out vec3 hit)
+// Radiance in the air along a ray that leaves the water, the point W that it is taken from, and the target's share in
+// it; the rest is sky.
+vec3 lookupAir(vec3 refracted, out vec3 hit, out float share)
 {
     hit = surfaceW + refractionDistance * refracted; // eq. 13
+    share = 0.0;
     vec3 sky = texture(skyMap, refracted).rgb;
 #ifdef REFRACTION
     vec3 u = (refractionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
@@ -105,17 +127,44 @@ vec3 lookupAir(vec3 refracted, out vec3 hit)
     // The target holds what the eye's own frustum holds; past its border only the sky is known.
     vec2 texel = refractionTexel(w);
     vec2 inside = smoothstep(vec2(0.0), vec2(0.04), texel) * smoothstep(vec2(0.0), vec2(0.04), 1.0 - texel);
-    sky = mix(sky, texture(refractionColour, texel).rgb, known * inside.x * inside.y);
+    share = known * inside.x * inside.y;
+    sky = mix(sky, texture(refractionColour, texel).rgb, share);
 #endif
     return sky;
+}
+#endif
+
+#ifdef REFLECTION
+vec2 reflectionTexel(vec3 reflected)
+{
+    return texelOf(reflectionClipFromWorld * vec4(surfaceW + reflectionDistance * reflected, 1.0));
+}
+#endif
+
+#if DEBUG_VIEW == 7
+// The point that the reflection's lookup shows, world, with alpha 1; where it shows none, the direction of what it does
+// show (sky, or deep water) with alpha 2.
+vec4 shownMirrored(vec3 reflected)
+{
+#ifdef REFLECTION
+    vec2 size = vec2(textureSize(reflectionDepth, 0));
+    vec2 texel = clamp(reflectionTexel(reflected), 0.5 / size, 1.0 - 0.5 / size); // past its border, the border
+    // The nearest sample's depth: a mean over an edge is the depth of nothing.
+    float depth = texelFetch(reflectionDepth, ivec2(texel * size), 0).r;
+    vec3 ray = vec3((2.0 * texel - 1.0) / vec2(reflectionClipFromView[0][0], reflectionClipFromView[1][1]), -1.0);
+    if (depth >= 1.0) return vec4(normalize(mat3(worldFromReflectionView) * ray), 2.0);
+    vec3 seen = ray * -viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
+    return vec4((worldFromReflectionView * vec4(seen, 1.0)).xyz, 1.0);
+#else
+    return vec4(reflected, 2.0);
+#endif
 }
 #endif
 
 vec3 reflectedRadiance(vec3 reflected)
 {
 #ifdef REFLECTION
-    vec4 clip = reflectionClipFromWorld * vec4(surfaceW + reflectionDistance * reflected, 1.0);
-    return texture(reflectionColour, texelOf(clip)).rgb;
+    return texture(reflectionColour, reflectionTexel(reflected)).rgb;
 #elif defined(UNDERWATER)
     return deepRadiance;
 #else
@@ -138,9 +187,11 @@ void main()
     vec3 refracted = refractRay(-toEye, down, ior); // zero beyond the critical angle, where fresnel is 1
 #endif
     vec3 hit = surfaceW;
+    float share = 0.0;
     vec3 above = vec3(0.0);
-    if (fresnel < 1.0) above = ior * ior * lookupAir(refracted, hit); // radiance grows by n² into the denser medium
-    vec3 below = reflectedRadiance(reflectRay(-toEye, down));
+    if (fresnel < 1.0) above = ior * ior * lookupAir(refracted, hit, share); // radiance grows by n² into the denser medium
+    vec3 reflected = reflectRay(-toEye, down);
+    vec3 below = reflectedRadiance(reflected);
     float path = distance(surfaceW, eye);
     vec3 a = beerLambert(absorption, path);
     // The reflected light's own leg eye–surface is in its target already (section 7.5).
@@ -190,6 +241,18 @@ void main()
     fragment = vec4(hit, 1.0);
 #elif DEBUG_VIEW == 4
     fragment = vec4(surface.normal, 1.0);
+#elif DEBUG_VIEW == 5
+    fragment = vec4(surfaceW, 1.0);
+#elif DEBUG_VIEW == 6
+    fragment = vec4(hit, 0.5);
+#ifdef REFRACTION
+    fragment = shownFor(hit);
+#endif
+#ifdef UNDERWATER
+    if (share < 0.5) fragment.a = 0.5; // the sky was taken
+#endif
+#elif DEBUG_VIEW == 7
+    fragment = shownMirrored(reflected);
 #else
     fragment = vec4(radiance, 1.0);
 #endif

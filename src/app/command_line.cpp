@@ -132,8 +132,15 @@ void addView(Flags& flags, ViewArguments& view)
                 });
     flags.value(
         "--size", "WxH", "Size of the picture, pixels",
-        [&view](const std::string& text, const std::string& flag) { view.size = parseSize(text, flag); });
-    flags.number("--time", "S", "Time of the waves at the start, s", view.time, -1e6, 1e6);
+        [&view](const std::string& text, const std::string& flag) {
+            view.size = parseSize(text, flag);
+            view.sizeGiven = true;
+        });
+    flags.value("--time", "S", "Time of the waves at the start, s",
+                [&view](const std::string& text, const std::string& flag) {
+                    view.time = parseNumber(text, flag, -1e6, 1e6);
+                    view.timeGiven = true;
+                });
 }
 
 constexpr auto jsonDoc = "Write the result as JSON to this file; - is standard output";
@@ -149,6 +156,8 @@ std::function<Command()> defineView(Flags& flags)
     flags.toggle("--fullscreen", "Fill the screen", command->fullscreen);
     flags.toggle("--vsync,!--no-vsync", "Wait for the screen's refresh (on by default)", command->vsync);
     flags.count("--frames", "Leave after N frames; 0 stays", command->frames, 0, 1000000);
+    flags.value("--reference", "FILE", "A picture of `tarn reference` to see beside the live one",
+                [command = command.get()](const std::string& text, const std::string&) { command->reference = text; });
     return [command] { return *command; };
 }
 
@@ -157,6 +166,37 @@ DebugView parseDebugView(const std::string& text, const std::string& flag)
     if (const auto view = debugViewFromName(text)) return *view;
     const std::vector<std::string> names(debugViewNames.begin(), debugViewNames.end());
     throw UsageError("{} {}: no such view; there are {}", flag, text, fmt::join(names, ", "));
+}
+
+ErrorKind parseErrorKind(const std::string& text, const std::string& flag)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < errorKinds.size(); ++i) {
+        if (text == errorKinds[i].name) return static_cast<ErrorKind>(i);
+        names.emplace_back(errorKinds[i].name);
+    }
+    throw UsageError("{} {}: no such error; there are {}", flag, text, fmt::join(names, ", "));
+}
+
+void addErrorMap(Flags& flags, RenderCommand& c)
+{
+    flags.value("--error", "KIND", "A map of what the water has wrong: refraction, reflection, fresnel, path or caustics",
+                [&c](const std::string& text, const std::string& flag) { c.error = parseErrorKind(text, flag); });
+    flags.value("--reference", "FILE", "What --error compares with; gives camera, time and size",
+                [&c](const std::string& text, const std::string&) { c.reference = text; });
+    flags.number("--error-scale", "X", "Error that --error shows in full colour, in m, degrees or as a fraction",
+                 c.errorScale, 1e-9, 1e9);
+}
+
+void requireMeaning(const RenderCommand& c)
+{
+    if (!c.error && !c.reference.empty()) throw UsageError("--reference is for --error; name one, such as --error path");
+    if (!c.error && c.errorScale > 0.0) throw UsageError("--error-scale is for --error; name one, such as --error path");
+    if (!c.error) return;
+    if (c.reference.empty())
+        throw UsageError("--error needs --reference FILE; make one with: tarn reference --out truth.exr");
+    if (c.frames > 1 || c.allCameras || c.debugView != DebugView::final)
+        throw UsageError("--error makes one map; leave --frames, --all-cameras and --view away");
 }
 
 std::function<Command()> defineRender(Flags& flags)
@@ -175,6 +215,7 @@ std::function<Command()> defineRender(Flags& flags)
     flags.number("--fps", "F", "Pictures per second of the sequence", c.fps, 1e-3, 1e4);
     flags.toggle("--all-cameras", "A picture from each camera; --out names their folder", c.allCameras);
     flags.toggle("--check", "Fail when a pass makes NaN, infinity or negative radiance", c.check);
+    addErrorMap(flags, c);
     flags.text("--json", "FILE", jsonDoc, c.json);
     return [command]() -> Command {
         if (command->out.empty()) throw UsageError("render needs --out FILE, such as --out lake.png");
@@ -182,6 +223,7 @@ std::function<Command()> defineRender(Flags& flags)
             throw UsageError("--all-cameras makes one picture each; leave --frames away");
         if (command->allCameras && !command->view.camera.name.empty())
             throw UsageError("--all-cameras renders every camera; leave --camera away");
+        requireMeaning(*command);
         return *command;
     };
 }

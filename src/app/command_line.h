@@ -5,6 +5,7 @@
 #include "base/math.h"
 #include "measure/flip.h"
 #include "measure/paper_tables.h"
+#include "measure/water_errors.h"
 #include "reference/options.h"
 #include "render/debug_view.h"
 
@@ -28,12 +29,15 @@ struct CameraArguments {
     std::string name;
     std::optional<vec3> eye, target, up;
     std::optional<float> verticalFov; ///< radians
+
+    bool isGiven() const { return !name.empty() || eye || target || up || verticalFov; }
 };
 
 struct ViewArguments {
     CameraArguments camera;
     ivec2 size{1280, 720}; ///< pixels
     double time = 0.0;     ///< s
+    bool sizeGiven = false, timeGiven = false; ///< on the command line
 };
 
 struct ViewCommand {
@@ -42,6 +46,7 @@ struct ViewCommand {
     bool fullscreen = false;
     bool vsync = true;
     int frames = 0; ///< leaves after so many; 0: stays
+    std::filesystem::path reference; ///< a picture of `tarn reference` to compare with; empty: none
 };
 
 struct RenderCommand {
@@ -53,6 +58,9 @@ struct RenderCommand {
     std::string out; ///< file, pattern with %04d, or folder with allCameras
     bool allCameras = false;
     bool check = false;
+    std::optional<ErrorKind> error;  ///< a map of it, instead of the picture
+    std::filesystem::path reference; ///< what it is held against
+    double errorScale = 0.0;         ///< error of full colour, in its unit; 0: the kind's own
     std::string json; ///< file, "-" for standard output, or empty
 };
 

@@ -3,51 +3,15 @@
 #include "app/interrupt.h"
 #include "app/output.h"
 #include "app/picture_header.h"
+#include "app/reference_view.h"
 #include "app/stage.h"
 #include "base/error.h"
-#include "optics/optics.h"
 #include "reference/reference.h"
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
 namespace tarn
 {
-
-namespace
-{
-
-vec3 toneMapped(const vec3& exposed, FrameOptions::ToneCurve curve)
-{
-    switch (curve) {
-    case FrameOptions::ToneCurve::linear:
-        return optics::toneLinear(exposed);
-    case FrameOptions::ToneCurve::reinhard:
-        return optics::toneReinhard(exposed);
-    case FrameOptions::ToneCurve::aces:
-        break;
-    }
-    return optics::toneAces(exposed);
-}
-
-} // namespace
-
-Image displayPicture(const reference::Picture& picture, const FrameOptions& options)
-{
-    Image image;
-    image.name = "reference";
-    image.width = picture.size.x;
-    image.height = picture.size.y;
-    image.channels = 3;
-    image.bytes.reserve(image.size());
-    for (const vec3& radiance : picture.radiance) {
-        const vec3 shown = optics::srgbColour(toneMapped(radiance * options.exposure, options.toneCurve));
-        for (int c = 0; c < 3; ++c)
-            image.bytes.push_back(static_cast<std::uint8_t>(std::lround(shown[c] * 255.0f)));
-    }
-    return image;
-}
 
 namespace
 {

@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "app/picture_header.h"
 #include "app/plan_report.h"
+#include "app/render_error.h"
 #include "app/session.h"
 #include "base/error.h"
 #include "base/log.h"
@@ -104,6 +105,7 @@ nlohmann::json statsJson(const FrameStats& stats, const Shot& shot)
 void run(const RenderCommand& command)
 {
     requireWritable(command);
+    if (command.error) return renderError(command);
     TerminalProgress progress;
     const Stage stage = loadStage(command.scene, &progress);
     const std::vector<Shot> shots =

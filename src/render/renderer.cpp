@@ -43,7 +43,15 @@ float anisotropyFor(const FrameOptions& options)
 /// Debug views that the water pass writes; the scene around them stays empty.
 bool isWaterView(DebugView view)
 {
-    return view == DebugView::fresnel || view == DebugView::pathLength || view == DebugView::positionW;
+    switch (view) {
+    case DebugView::fresnel:
+    case DebugView::pathLength:
+    case DebugView::positionU:
+    case DebugView::positionW:
+    case DebugView::positionA:
+    case DebugView::reflectionHit: return true;
+    default: return false;
+    }
 }
 
 } // namespace
@@ -163,6 +171,8 @@ void Renderer::setOptions(const Options& options, const WaterBody& water)
     state_->options = options;
     state_->water = water;
 }
+
+const Options& Renderer::options() const { return state_->options; }
 
 void Renderer::setChecking(bool checking) { state_->checking = checking; }
 
@@ -461,6 +471,26 @@ Image Renderer::readLinear() const
     Image image = emptyImage("frame", linear.size(), 4);
     image.floats = topDown(linear.readFloats(), linear.size(), 4);
     return image;
+}
+
+const View& Renderer::refractionView() const { return state_->refractionView; }
+
+std::optional<CausticsMap> Renderer::readCaustics() const
+{
+    const State& s = *state_;
+    if (!s.shown || !s.stats.plan[PassId::caustics].wanted) return std::nullopt;
+    const gl::Texture& texture = s.causticsPass.target().colour();
+    CausticsMap map{.region = s.region,
+                    .edge = texture.size().x,
+                    .light = {},
+                    .water = {s.water.centre, 0.5f * s.water.extent},
+                    .level = s.water.level,
+                    .toSun = s.light.sunDirectionBelow};
+    const std::vector<float> texels = texture.readBack();
+    const auto channels = static_cast<std::size_t>(gl::channelCount(texture.format()));
+    for (std::size_t i = 0; i + channels <= texels.size(); i += channels)
+        map.light.emplace_back(texels[i], texels[i + 1], texels[i + 2]);
+    return map;
 }
 
 } // namespace tarn

@@ -10,9 +10,11 @@
 #include "plan/frame_plan.h"
 #include "plan/options.h"
 #include "render/debug_view.h"
+#include "render/sun_views.h"
 #include "scene/scene.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,16 @@ struct BadPixels {
     bool any() const { return nan + infinite + negative > 0; }
 };
 
+/// The caustics texture and where it lies: what shaders/passes/scene.frag knows of it.
+struct CausticsMap {
+    CausticsRegion region;   ///< rows from its least z, columns from its least x
+    int edge = 0;            ///< texels
+    std::vector<vec3> light; ///< irradiance relative to the sun's above the water, both through a level area
+    LevelRect water;         ///< beside it no light enters
+    float level = 0.0f;      ///< of the plane that both lie on, m
+    vec3 toSun{0.0f};        ///< towards the sun under water: the light of a point crosses the plane along it
+};
+
 class Renderer {
 public:
     /// Uploads the scene, bakes its sky and compiles every shader that the options ask for. Keeps references to all
@@ -65,6 +77,8 @@ public:
 
     /// Takes effect with the next frame. The water body starts as the scene's.
     void setOptions(const Options& options, const WaterBody& water);
+
+    const Options& options() const;
 
     /// Count NaN, infinity and negative radiance in every target from the next frame on (slow: reads them all back).
     void setChecking(bool checking);
@@ -80,6 +94,12 @@ public:
     /// The last frame's linear radiance, or the debug view's raw values: four floats a pixel (debug views of the
     /// water: alpha is 1 where the water is).
     Image readLinear() const;
+
+    /// The camera of the last frame's refraction target (of its air's side, when it shows both), world space.
+    const View& refractionView() const;
+
+    /// The last frame's caustics texture as it is; nothing when the frame had none. Waits for the GPU.
+    std::optional<CausticsMap> readCaustics() const;
 
     /// What the checking found in the last frame, in the order of the passes; only passes that made bad values.
     const std::vector<BadPixels>& badPixels() const;

@@ -41,6 +41,8 @@ test_wrong_usage() {
     refuse 2 '%' render "$pool" --frames 3 --out a.png
     refuse 2 'table 4.*2.*3' bench "$pool" --table 4
     refuse 2 'table.*vary' bench "$pool" --table 2 --vary refraction.steps=1
+    refuse 2 'error.*tarn reference' render "$pool" --error path --out a.png
+    refuse 2 'fresnel' render "$pool" --error colour --reference a.exr --out a.png
     refuse 2 'png' render "$pool" --out a.bmp
     refuse 2 'png' render "$pool" --out picture
     only_in_out
@@ -53,6 +55,21 @@ test_unknown_option_key() {
     refuse 2 'refraction\.method.*iterative' render "$pool" --set refraction.method=magic --out a.png
     refuse 2 'refraction\.steps' render "$pool" --set refraction.steps --out a.png
     only_in_out
+}
+
+test_error_map() {
+    local truth=$work/truth.exr
+    call 0 reference "$pool" --size 40x30 --samples 1 --photons 10000 --time 0.5 --out "$truth"
+    call 0 render "$pool" --error refraction --reference "$truth" --out "$work/map.png"
+    grep -q 'full colour at 0.5 m' "$work/stdout" || fail "the map's scale is not stated"
+    grep -q 'refraction.median' "$work/stdout" || fail "the figures are not printed"
+    call 0 render "$pool" --error fresnel --reference "$truth" --error-scale 0.2 --out "$work/map.exr" --json -
+    grep -q '"time": 0.5' "$work/stdout" || fail "the reference's time is not taken"
+    grep -q '"scale": 0.2' "$work/stdout" || fail "the scale is not in the JSON"
+    [[ -s $work/map.png && -s $work/map.exr ]] || fail "a map is missing"
+    refuse 1 'size 8x8.*40x30' render "$pool" --error path --reference "$truth" --size 8x8 --out a.png
+    refuse 1 'map\.exr' render "$pool" --error path --reference "$work/map.exr" --out a.png
+    refuse 1 'nowhere\.exr' render "$pool" --error path --reference nowhere.exr --out a.png
 }
 
 test_unknown_camera() {

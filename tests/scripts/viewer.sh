@@ -67,7 +67,7 @@ test_viewer() {
     "$compare" "$work/reference.png" "$photo" || fail "the screenshot is not like the headless picture"
 
     # Everything the help names, twice where it switches something.
-    press c c u u g g r r f f p p v v v v v v v v v h h Tab Tab 1 2 3 9 w a s d Up Down Left Right shift q e
+    press c c u u g g r r f f p p v v v v v v v v v v v v v b bracketleft bracketright h h Tab Tab 1 2 3 9 w a s d Up Down Left Right shift q e
     xdotool mousemove --window "$window" 200 200 mousedown 1 mousemove_relative 40 10 mouseup 1 click 4 click 5
     local size
     for size in "800 300" "200 700" "640 480"; do

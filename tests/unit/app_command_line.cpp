@@ -108,6 +108,39 @@ TEST(CommandLine, OptionsJsonMayLeaveTheFileOut)
     EXPECT_EQ(parsed<OptionsCommand>({"options", "--json", "o.json"}).json, "o.json");
 }
 
+TEST(CommandLine, AnErrorMapNeedsAReference)
+{
+    const auto c = parsed<RenderCommand>({"render", "--error", "reflection", "--reference", "truth.exr", "--error-scale",
+                                          "2.5", "--out", "map.png"});
+    ASSERT_TRUE(c.error);
+    EXPECT_EQ(*c.error, ErrorKind::reflection);
+    EXPECT_EQ(c.reference, "truth.exr");
+    EXPECT_DOUBLE_EQ(c.errorScale, 2.5);
+    EXPECT_FALSE(c.view.sizeGiven);
+    EXPECT_FALSE(c.view.timeGiven);
+    const auto given = parsed<RenderCommand>({"render", "--size", "8x8", "--time", "0", "--out", "a.png"});
+    EXPECT_TRUE(given.view.sizeGiven);
+    EXPECT_TRUE(given.view.timeGiven);
+
+    EXPECT_NE(complaint({"render", "--error", "path", "--out", "a.png"}).find("tarn reference"), std::string::npos);
+    EXPECT_NE(complaint({"render", "--error", "colour", "--reference", "t.exr", "--out", "a.png"}).find("fresnel"),
+              std::string::npos);
+    EXPECT_NE(complaint({"render", "--reference", "t.exr", "--out", "a.png"}).find("--error"), std::string::npos);
+    EXPECT_NE(complaint({"render", "--error-scale", "1", "--out", "a.png"}).find("--error"), std::string::npos);
+    for (const std::vector<std::string>& other :
+         {std::vector<std::string>{"--view", "fresnel"}, {"--all-cameras"}, {"--frames", "2"}}) {
+        std::vector<std::string> words{"render", "--error", "path", "--reference", "t.exr", "--out", "a_%d.png"};
+        words.insert(words.end(), other.begin(), other.end());
+        EXPECT_NE(complaint(words).find("--error makes one map"), std::string::npos) << other.front();
+    }
+}
+
+TEST(CommandLine, TheViewerTakesAReference)
+{
+    EXPECT_EQ(parsed<ViewCommand>({"view", "--reference", "truth.exr"}).reference, "truth.exr");
+    EXPECT_TRUE(parsed<ViewCommand>({}).reference.empty());
+}
+
 TEST(CommandLine, BenchVariants)
 {
     const auto c =

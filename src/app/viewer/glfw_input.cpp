@@ -39,7 +39,8 @@ std::optional<Key> keyFromGlfw(int key)
         return keyOf(static_cast<char>('0' + key - GLFW_KEY_KP_0));
     const bool letterOrDigit =
         (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) || (key >= GLFW_KEY_A && key <= GLFW_KEY_Z);
-    if (letterOrDigit) return static_cast<Key>(key); // GLFW's codes are ASCII's here
+    const bool bracket = key == GLFW_KEY_LEFT_BRACKET || key == GLFW_KEY_RIGHT_BRACKET;
+    if (letterOrDigit || bracket) return static_cast<Key>(key); // GLFW's codes are ASCII's here
     return std::nullopt;
 }
 
@@ -80,7 +81,8 @@ void GlfwInput::onKey(int glfwKey, int action)
     if (!command) return;
     // A release counts wherever the typing goes, or a key would stick.
     if (action == GLFW_RELEASE) held_.release(*key);
-    if (action != GLFW_PRESS || (widgets_ && widgets_->wantsKeys())) return;
+    const bool pressed = action == GLFW_PRESS || (action == GLFW_REPEAT && repeats(command->action));
+    if (!pressed || (widgets_ && widgets_->wantsKeys())) return;
     if (isHeld(command->action)) {
         held_.press(*key);
     } else {

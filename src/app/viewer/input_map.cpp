@@ -35,6 +35,9 @@ const std::vector<Binding>& bindings()
         {Action::refraction, {keyOf('F')}, "F", "refraction on or off"},
         {Action::pause, {keyOf('P')}, "P", "stop the waves, or let them go on"},
         {Action::nextView, {keyOf('V')}, "V", "next intermediate picture"},
+        {Action::compare, {keyOf('B')}, "B", "with --reference: beside it, its errors, off; or back to its view"},
+        {Action::sliderLeft, {keyOf('[')}, "[", "move the line before the reference to the left"},
+        {Action::sliderRight, {keyOf(']')}, "]", "move it to the right"},
         {Action::help, {keyOf('H')}, "H", "this help"},
         {Action::panel, {Key::tab}, "Tab", "panel with every option"},
         {Action::screenshot, {Key::f12}, "F12", "save a picture in the current folder"},
@@ -57,6 +60,11 @@ std::optional<KeyCommand> commandOf(Key key)
 bool isHeld(Action action)
 {
     return action <= Action::fast;
+}
+
+bool repeats(Action action)
+{
+    return action == Action::sliderLeft || action == Action::sliderRight;
 }
 
 std::vector<HelpLine> helpLines()

@@ -11,7 +11,7 @@
 namespace tarn
 {
 
-/// Letters and digits are their own ASCII code, in capitals.
+/// Letters, digits and brackets are their own ASCII code, letters in capitals.
 enum class Key : int { up = 256, down, left, right, shift, tab, escape, f12 };
 constexpr Key keyOf(char letter)
 {
@@ -36,6 +36,9 @@ enum class Action {
     refraction,
     pause,
     nextView,
+    compare,
+    sliderLeft,
+    sliderRight,
     help,
     panel,
     screenshot,
@@ -52,6 +55,9 @@ std::optional<KeyCommand> commandOf(Key key);
 
 /// True for actions that last while their key is held.
 bool isHeld(Action action);
+
+/// True for actions that happen again and again while their key stays down.
+bool repeats(Action action);
 
 struct HelpLine {
     std::string keys, what;

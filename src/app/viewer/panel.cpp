@@ -124,7 +124,7 @@ private:
 
 } // namespace
 
-PanelResult drawPanel(const FieldTree& tree, float scale, bool& open)
+PanelResult drawPanel(const FieldTree& tree, float scale, bool& open, const std::function<void()>& above)
 {
     PanelResult result;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -136,6 +136,7 @@ PanelResult drawPanel(const FieldTree& tree, float scale, bool& open)
         ImGui::SameLine();
         ImGui::TextDisabled("Ctrl+click a slider to type");
         ImGui::PushItemWidth(0.5f * ImGui::GetContentRegionAvail().x);
+        if (above) above();
         PanelVisitor visitor;
         tree(visitor);
         ImGui::PopItemWidth();

@@ -3,6 +3,8 @@
 
 #include "base/fields.h"
 
+#include <functional>
+
 namespace tarn
 {
 
@@ -12,6 +14,7 @@ struct PanelResult {
 };
 
 /// Between ImGuiLayer::beginFrame and draw.
-PanelResult drawPanel(const FieldTree& tree, float scale, bool& open);
+/// @param above widgets to stand over the options, or nothing
+PanelResult drawPanel(const FieldTree& tree, float scale, bool& open, const std::function<void()>& above = {});
 
 } // namespace tarn

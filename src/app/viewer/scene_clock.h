@@ -17,6 +17,12 @@ public:
         started_ = true;
     }
 
+    /// Stops at a time.
+    void holdAt(double seconds)
+    {
+        time_ = seconds;
+        paused_ = true;
+    }
     void togglePause() { paused_ = !paused_; }
     bool paused() const { return paused_; }
     double time() const { return time_; } ///< s

@@ -69,6 +69,13 @@ bool visible(const gl::Window& window)
            !glfwGetWindowAttrib(window.handle(), GLFW_ICONIFIED);
 }
 
+/// Before the window opens, so that a wrong file is told at once.
+std::optional<reference::Picture> readReference(const std::filesystem::path& file)
+{
+    if (file.empty()) return std::nullopt;
+    return reference::readPicture(file);
+}
+
 void toggle(bool& option)
 {
     option = !option;
@@ -82,7 +89,8 @@ void runViewer(const ViewCommand& command)
 }
 
 Viewer::Viewer(const ViewCommand& command)
-    : command_(command), window_({.title = "Tarn", .size = command.view.size, .vsync = command.vsync}),
+    : command_(command), truth_(readReference(command.reference)),
+      window_({.title = "Tarn", .size = command.view.size, .vsync = command.vsync}),
       input_(window_.handle()), widgets_(window_.handle()), clock_(command.view.time)
 {
     guardDisplay();
@@ -123,8 +131,22 @@ bool Viewer::load()
     }
     stage_ = loading.take();
     startSettings_ = stage_.settings;
-    camera_.jumpTo(chooseCamera(stage_.scene, command_.view.camera));
+    begin();
     return true;
+}
+
+/// At the reference's view and time, where there is a reference, unless the command line names others.
+void Viewer::begin()
+{
+    const Camera chosen = chooseCamera(stage_.scene, command_.view.camera);
+    camera_.jumpTo(chosen);
+    if (!truth_) return;
+    const ReferenceView view = referenceView(*truth_, stage_.scene, command_.reference);
+    warnOfOtherScene(*truth_, stage_.scene, command_.reference);
+    comparison_ = std::make_unique<Comparison>(*std::move(truth_), view);
+    truth_.reset();
+    if (!command_.view.camera.isGiven()) camera_.jumpTo(view.camera);
+    clock_.holdAt(command_.view.timeGiven ? command_.view.time : view.time);
 }
 
 void Viewer::drawLoadingFrame(const SharedProgress::State& state)
@@ -163,6 +185,10 @@ void Viewer::frame()
 
     const ivec2 size = window_.framebufferSize();
     if (size.x < 1 || size.y < 1) return;
+    if (comparison_) {
+        comparison_->state().look(camera_.camera(), clock_.time());
+        comparison_->update(*renderer_, stage_.settings);
+    }
     const FrameStats& stats = renderer_->render({camera_.camera(), clock_.time(), size, view_});
     if (screenshotWanted_) takeScreenshot();
     renderer_->presentToWindow(size);
@@ -217,6 +243,12 @@ void Viewer::obey(const KeyCommand& command)
     case Action::nextView:
         view_ = static_cast<DebugView>((static_cast<int>(view_) + 1) % debugViewCount);
         return say(fmt::format("view: {}", debugViewNames[static_cast<std::size_t>(view_)]));
+    case Action::compare:
+        return compareNext();
+    case Action::sliderLeft:
+    case Action::sliderRight:
+        if (comparison_) comparison_->state().moveSlider(command.action == Action::sliderRight ? 1 : -1);
+        return;
     case Action::help:
         return toggle(helpOpen_);
     case Action::panel:
@@ -243,8 +275,20 @@ void Viewer::jumpToCamera(int index)
     say(fmt::format("camera {}", camera.name));
 }
 
+void Viewer::compareNext()
+{
+    if (!comparison_) return say("nothing to compare with; start with --reference FILE");
+    ComparisonState& state = comparison_->state();
+    state.look(camera_.camera(), clock_.time()); // of now, not of the last frame
+    if (!state.next()) return;
+    camera_.jumpTo(state.view().camera);
+    clock_.holdAt(state.view().time);
+    say("back at the reference's view");
+}
+
 void Viewer::drawWidgets(const FrameStats& stats)
 {
+    if (comparison_) comparison_->drawOverlay(widgets_.scale());
     const double now = lastFrame_;
     const HudState hud{.rate = rate_,
                        .camera = camera_,
@@ -254,12 +298,15 @@ void Viewer::drawWidgets(const FrameStats& stats)
                        .paused = clock_.paused(),
                        .underwater = stats.plan.underwater,
                        .triangles = stats.triangles(),
+                       .comparison = comparison_ ? comparison_->note() : "",
                        .message = now < messageUntil_ ? message_ : "",
                        .shaderError = shaders_->lastError()};
     drawHud(hud, widgets_.scale());
     if (helpOpen_) drawHelp(widgets_.scale(), helpOpen_);
     if (panelOpen_) {
-        const PanelResult result = drawPanel(fieldTree(stage_.settings), widgets_.scale(), panelOpen_);
+        std::function<void()> choice;
+        if (comparison_) choice = [this] { comparison_->drawChoice(); };
+        const PanelResult result = drawPanel(fieldTree(stage_.settings), widgets_.scale(), panelOpen_, choice);
         if (result.reset) stage_.settings = startSettings_;
         if (result.reset || result.changed)
             renderer_->setOptions(stage_.settings.options, stage_.settings.water);

@@ -3,6 +3,7 @@
 
 #include "app/command_line.h"
 #include "app/stage.h"
+#include "app/viewer/comparison.h"
 #include "app/viewer/fly_camera.h"
 #include "app/viewer/frame_rate.h"
 #include "app/viewer/glfw_input.h"
@@ -31,6 +32,7 @@ public:
 private:
     /// False when the person left meanwhile.
     bool load();
+    void begin();
     void drawLoadingFrame(const SharedProgress::State& state);
     void makeRenderer();
 
@@ -38,12 +40,14 @@ private:
     void takeInput(double seconds);
     void obey(const KeyCommand& command);
     void jumpToCamera(int index);
+    void compareNext();
     void drawWidgets(const FrameStats& stats);
     void takeScreenshot();
     void say(const std::string& message);
     void measure(double seconds);
 
     ViewCommand command_;
+    std::optional<reference::Picture> truth_; ///< until the comparison has it
     // In this order, so that all GL objects are gone before the window's context is.
     gl::Window window_;
     GlfwInput input_;
@@ -53,6 +57,7 @@ private:
     std::unique_ptr<gl::ShaderLibrary> shaders_;
     gl::Profiler profiler_;
     std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Comparison> comparison_; ///< null: no reference was named
 
     FlyCamera camera_{Camera{}};
     SceneClock clock_;

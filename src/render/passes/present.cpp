@@ -16,7 +16,10 @@ const char* displayCode(DebugView view)
     case DebugView::sceneDepth:
     case DebugView::refractionDepth:
     case DebugView::pathLength: return "1";
-    case DebugView::positionW: return "2";
+    case DebugView::positionU:
+    case DebugView::positionW:
+    case DebugView::positionA:
+    case DebugView::reflectionHit: return "2";
     case DebugView::normals: return "3";
     case DebugView::fresnel: return "4";
     case DebugView::caustics: return "5";

@@ -14,6 +14,9 @@ int debugCode(DebugView view)
     case DebugView::pathLength: return 2;
     case DebugView::positionW: return 3;
     case DebugView::normals: return 4;
+    case DebugView::positionU: return 5;
+    case DebugView::positionA: return 6;
+    case DebugView::reflectionHit: return 7;
     default: return 0;
     }
 }
@@ -60,8 +63,15 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
     if (inputs.underwater) p.set("refractionDistance", options.underwater.distance);
     if (inputs.reflection) {
         p.texture("reflectionColour", inputs.reflection->colour());
-        p.set("reflectionClipFromWorld", inputs.reflectionView->clipFromWorld());
+        const View& view = *inputs.reflectionView;
+        p.set("reflectionClipFromWorld", view.clipFromWorld());
         p.set("reflectionDistance", inputs.underwater ? options.underwater.distance : options.reflection.distance);
+        if (inputs.view == DebugView::reflectionHit) {
+            p.texture("reflectionDepth", inputs.reflection->depth());
+            p.set("reflectionClipFromView", view.clipFromView);
+            p.set("worldFromReflectionView", glm::inverse(view.viewFromWorld));
+            p.set("reflectionNearFar", vec2(view.nearPlane, view.farPlane));
+        }
     }
     grid.draw(options.water.gridSize, stats);
 }

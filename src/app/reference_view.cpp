@@ -1,0 +1,102 @@
+#include "app/reference_view.h"
+
+#include "base/error.h"
+#include "base/log.h"
+#include "optics/optics.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace tarn
+{
+
+namespace
+{
+
+const std::string& headerText(const reference::Picture& picture, const char* key, const std::filesystem::path& file)
+{
+    const auto found = picture.metadata.find(key);
+    if (found == picture.metadata.end())
+        throw Error("{}: its header has no {}; make it with `tarn reference`", file.string(), key);
+    return found->second;
+}
+
+vec3 vectorFrom(const nlohmann::json& json)
+{
+    return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
+}
+
+Camera cameraLike(const Scene& scene, const std::string& name)
+{
+    if (const Camera* camera = scene.findCamera(name)) return *camera;
+    return scene.cameras.empty() ? Camera{} : scene.cameras.front();
+}
+
+vec3 toneMapped(const vec3& exposed, FrameOptions::ToneCurve curve)
+{
+    switch (curve) {
+    case FrameOptions::ToneCurve::linear:
+        return optics::toneLinear(exposed);
+    case FrameOptions::ToneCurve::reinhard:
+        return optics::toneReinhard(exposed);
+    case FrameOptions::ToneCurve::aces:
+        break;
+    }
+    return optics::toneAces(exposed);
+}
+
+} // namespace
+
+ReferenceView referenceView(const reference::Picture& picture, const Scene& scene, const std::filesystem::path& file)
+{
+    const std::string& view = headerText(picture, "tarn:camera", file);
+    const std::string& time = headerText(picture, "tarn:time", file);
+    try {
+        const nlohmann::json json = nlohmann::json::parse(view);
+        Camera camera = cameraLike(scene, json.at("name").get<std::string>());
+        camera.name = json.at("name").get<std::string>();
+        camera.eye = vectorFrom(json.at("eye"));
+        camera.target = vectorFrom(json.at("target"));
+        camera.up = vectorFrom(json.at("up"));
+        camera.verticalFov = glm::radians(json.at("vertical_fov_degrees").get<float>());
+        return {camera, std::stod(time)};
+    } catch (const std::exception& error) { // of JSON, or of the number
+        throw Error("{}: its header's camera or time is damaged ({})", file.string(), error.what());
+    }
+}
+
+bool isSameView(const Camera& a, const Camera& b)
+{
+    constexpr float position = 1.0e-4f, angle = 1.0e-5f; // m, and radians of any direction
+    const auto forward = [](const Camera& c) { return glm::normalize(c.target - c.eye); };
+    const auto right = [&](const Camera& c) { return glm::normalize(glm::cross(forward(c), c.up)); };
+    return glm::distance(a.eye, b.eye) < position && glm::distance(forward(a), forward(b)) < angle &&
+           glm::distance(right(a), right(b)) < angle && std::abs(a.verticalFov - b.verticalFov) < angle;
+}
+
+void warnOfOtherScene(const reference::Picture& picture, const Scene& scene, const std::filesystem::path& file)
+{
+    const auto made = picture.metadata.find("tarn:scene");
+    const std::string name = scene.file.filename().string();
+    if (made != picture.metadata.end() && made->second != name)
+        log::warning("{}: shows {}, and is compared with {}", file.string(), made->second, name);
+}
+
+Image displayPicture(const reference::Picture& picture, const FrameOptions& options)
+{
+    Image image;
+    image.name = "reference";
+    image.width = picture.size.x;
+    image.height = picture.size.y;
+    image.channels = 3;
+    image.bytes.reserve(image.size());
+    for (const vec3& radiance : picture.radiance) {
+        const vec3 shown = optics::srgbColour(toneMapped(radiance * options.exposure, options.toneCurve));
+        for (int c = 0; c < 3; ++c)
+            image.bytes.push_back(static_cast<std::uint8_t>(std::lround(shown[c] * 255.0f)));
+    }
+    return image;
+}
+
+} // namespace tarn
