@@ -11,6 +11,8 @@ namespace tarn
 void run(const PrintCommand& command);
 void run(const RenderCommand& command);
 void run(const BenchCommand& command);
+void run(const TradeCommand& command);
+void run(const TuneCommand& command);
 void run(const ExplainCommand& command);
 void run(const OptionsCommand& command);
 void run(const InfoCommand& command);

@@ -1,5 +1,5 @@
-// The options of a run, from the four places that may set them; later ones win:
-// defaults < the scene file's [options] < --options FILE < --set key=value.
+// The options of a run, from the five places that may set them; later ones win:
+// defaults < the scene file's [options] < --preset NAME < --options FILE < --set key=value.
 #pragma once
 
 #include "base/fields.h"
@@ -25,6 +25,7 @@ FieldTree fieldTree(Settings& settings);
 
 /// Where options came from on the command line.
 struct SettingsArguments {
+    std::string preset;                       ///< --preset; empty: none
     std::vector<std::filesystem::path> files; ///< --options
     std::vector<std::string> assignments;     ///< --set, "key=value"
 };
