@@ -302,6 +302,7 @@ try {
   fillPictures();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   document.documentElement.dataset.plots = plots.size;
+  document.documentElement.dataset.overflow = Math.max(0, document.documentElement.scrollWidth - innerWidth);
 } catch (error) {
   document.documentElement.dataset.error = error.message;
   $("failure").hidden = false;

@@ -25,9 +25,9 @@ FieldTree fieldTree(Settings& settings);
 
 /// Where options came from on the command line.
 struct SettingsArguments {
-    std::string preset;                       ///< --preset; empty: none
     std::vector<std::filesystem::path> files; ///< --options
     std::vector<std::string> assignments;     ///< --set, "key=value"
+    std::string preset{};                     ///< --preset; empty: none
 };
 
 /// Reads a TOML file of the keys that --set takes: [refraction] steps = 3, or refraction.steps = 3.

@@ -64,7 +64,8 @@ std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults&
     }
     const std::size_t best = front.back();
     const auto below = [&](double part) {
-        const double limit = price(low) * std::pow(price(best) / price(low), part);
+        const double rounding = 1.0 + 1e-9;
+        const double limit = rounding * price(low) * std::pow(price(best) / price(low), part);
         std::size_t found = low;
         for (const std::size_t i : front) // errors fall along the front
             if (price(i) >= price(low) && price(i) <= limit) found = i;
