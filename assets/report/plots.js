@@ -34,7 +34,7 @@ function axis(title, extra) {
   return { title: { display: Boolean(title), text: title }, ticks: { callback: short, maxTicksLimit: 7 }, ...extra };
 }
 
-// Names beside the marked points, below those that lie near the right edge or above one another.
+// Names beside the marked points, where they cover neither each other nor another mark.
 const nameTags = {
   id: "nameTags",
   afterDatasetsDraw(chart) {
@@ -45,6 +45,7 @@ const nameTags = {
     ctx.textBaseline = "middle";
     chart.data.datasets.forEach((set, index) => {
       if (!set.tags || !chart.isDatasetVisible(index)) return;
+      for (const { x, y } of chart.getDatasetMeta(index).data) taken.push({ left: x - 8, right: x + 8, y });
       chart.getDatasetMeta(index).data.forEach((element, i) => {
         const text = set.data[i].tag;
         const width = ctx.measureText(text).width;
@@ -97,12 +98,26 @@ function drawOverall(canvas, { points, front, marked, xTitle, yTitle, logarithmi
   });
 }
 
+// At least a fifth of the largest value, so that chance does not look like an effect. Of what is added to it, `below`
+// goes under the values: two flat lines in one plot do not cover each other.
+function range(values, below) {
+  const known = values.filter(value => value !== null);
+  if (known.length === 0) return {};
+  const low = Math.min(...known), high = Math.max(...known);
+  const least = 0.2 * Math.max(Math.abs(low), Math.abs(high)) || 1;
+  const added = Math.max(0.16 * (high - low), least - (high - low));
+  const min = low - below * added;
+  return { min: low >= 0 ? Math.max(0, min) : min, max: high + (1 - below) * added };
+}
+
 function drawSweep(canvas, { labels, errors, prices, base, errorTitle, unit }) {
+  const isNumeric = labels.every(label => label !== "" && !Number.isNaN(Number(label)));
   const ring = size => labels.map((_, i) => (i === base ? size + 3 : size));
   const line = (data, name, axisId, style) => ({
     data, label: name, yAxisID: axisId, borderColor: colour(style), backgroundColor: colour(style), borderWidth: 2,
     pointRadius: ring(3), pointHoverRadius: 7, pointBackgroundColor: labels.map((_, i) => colour(i === base ? "card" : style)),
-    pointBorderWidth: 2, borderDash: style === "price" ? [5, 4] : [], spanGaps: true,
+    pointBorderWidth: 2,
+    pointStyle: style === "price" ? "rect" : "circle", borderDash: style === "price" ? [5, 4] : [], spanGaps: true, showLine: isNumeric,
   });
   draw(canvas, {
     type: "line",
@@ -111,10 +126,10 @@ function drawSweep(canvas, { labels, errors, prices, base, errorTitle, unit }) {
       interaction: { mode: "index", intersect: false },
       layout: { padding: { top: 8 } },
       scales: {
-        x: { grid: { display: false } },
-        error: axis("", { position: "left", grace: "8%", ticks: { callback: short, maxTicksLimit: 5, color: colour("error") } }),
-        price: axis("", { position: "right", grace: "8%", grid: { drawOnChartArea: false },
-          ticks: { callback: value => short(value) + " ms", maxTicksLimit: 5, color: colour("price") } }),
+        x: { grid: { display: false }, offset: !isNumeric },
+        error: axis("", { position: "left", ...range(errors, 0.6), ticks: { includeBounds: false, callback: short, maxTicksLimit: 5, color: colour("error") } }),
+        price: axis("", { position: "right", ...range(prices, 0.4), grid: { drawOnChartArea: false },
+          ticks: { includeBounds: false, callback: value => short(value) + " ms", maxTicksLimit: 5, color: colour("price") } }),
       },
       plugins: {
         legend: { display: false },

@@ -24,8 +24,8 @@ open_report() {
 }
 
 write_report() {
-    call 0 "$work/out/a trade" "$project/assets/pictures/lake.png" "$project/assets/pictures/bed.png" \
-        "$project/assets/pictures/lake.png"
+    local goldens=$project/tests/image/goldens
+    call 0 "$work/out/a trade" "$goldens/lake-bed.png" "$goldens/lake-bed-later.png" "$goldens/lake-mirror.png"
     sweeps=$(sed -n 's/ sweeps$//p' "$work/stdout")
 }
 
