@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace tarn {
 
@@ -48,6 +49,17 @@ public:
         return results;
     }
 
+    /// Mean FLIP over the views: much sooner known than a price.
+    double error(const TradePoint& point)
+    {
+        const auto known = errors_.find(point.id);
+        if (known != errors_.end()) return known->second;
+        double sum = 0.0;
+        for (std::size_t view = 0; view < request_.views; ++view)
+            sum += lab_.errors(point, view, request_.time).flip;
+        return errors_[point.id] = sum / static_cast<double>(request_.views);
+    }
+
     /// How many more settings are likely to come, for the progress bar.
     void expect(std::size_t more) { expected_ = static_cast<double>(known_.size() + more); }
 
@@ -67,7 +79,7 @@ private:
         std::vector<Tuned> results;
         for (const TradePoint& point : points) {
             if (point.id != base_.id) batch.push_back(point);
-            results.push_back({point, 0.0, 0.0});
+            results.push_back({point, 0.0, error(point)});
         }
         const double views = static_cast<double>(request_.views);
         if (baseMs_.empty()) baseMs_.resize(request_.views);
@@ -81,7 +93,6 @@ private:
                 while (batch[at].id != result.point.id)
                     ++at;
                 result.ms += prices[at].ratio * base / views;
-                result.error += lab_.errors(result.point, view, request_.time).flip / views;
             }
         }
         known_.insert(known_.end(), results.begin(), results.end());
@@ -97,6 +108,7 @@ private:
     Progress* progress_;
     TradePoint base_;
     std::vector<Tuned> known_;
+    std::map<std::string, double> errors_;    ///< by id
     std::vector<std::vector<double>> baseMs_; ///< by view
     double expected_ = 0.0;
 };
@@ -185,13 +197,23 @@ private:
                 walk.begin() + static_cast<std::ptrdiff_t>(last)};
     }
 
+    /// Whether a setting of this error can beat the best, if only its price is right.
+    bool mayWin(double error) const
+    {
+        if (request_.goal.budgetMs) return error < best_.error || !reaches(request_.goal, best_);
+        return reaches(request_.goal, {{}, 0.0, error}) || error < best_.error;
+    }
+
     /// False when no option helps any more.
     bool polish()
     {
         bool changed = false;
-        for (const Sweep& sweep : request_.sweeps)
-            for (const Tuned& tuned : bench_.measure(neighbours(best_, sweep), "polishing"))
+        for (const Sweep& sweep : request_.sweeps) {
+            std::vector<TradePoint> points = neighbours(best_, sweep);
+            std::erase_if(points, [this](const TradePoint& point) { return !mayWin(bench_.error(point)); });
+            for (const Tuned& tuned : bench_.measure(points, "polishing"))
                 changed |= take(tuned);
+        }
         return changed;
     }
 
