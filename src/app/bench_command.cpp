@@ -9,9 +9,11 @@
 
 #include <nlohmann/json.hpp>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 Settings changed(Settings settings, const std::string& assignment, const char* origin)
 {

@@ -12,15 +12,18 @@
 #include <map>
 #include <tuple>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 constexpr float radiansPerDegree = pi / 180.0f;
 
 /// One command's flags. Text is turned into values by `convert` functions after CLI11 has told flags from
 /// arguments, so that every message has the same form.
-class Flags {
+class Flags
+{
 public:
     explicit Flags(CLI::App& app) : app_(app) {}
 

@@ -12,7 +12,8 @@
 #include <variant>
 #include <vector>
 
-namespace tarn {
+namespace tarn
+{
 
 struct SceneArguments {
     std::filesystem::path file; ///< empty: the shipped lake

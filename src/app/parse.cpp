@@ -7,9 +7,11 @@
 #include <cmath>
 #include <optional>
 
-namespace tarn {
+namespace tarn
+{
 
-namespace {
+namespace
+{
 
 constexpr int maxEdge = 16384;
 
