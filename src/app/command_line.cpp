@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <tuple>
 
 namespace tarn
 {
@@ -110,8 +111,10 @@ void addScene(Flags& flags, SceneArguments& scene)
                 [&scene](const std::string& text, const std::string&) { scene.file = text; });
     flags.list("--set", "KEY=VALUE", "Set an option, such as refraction.steps=3 (see: tarn options)",
                scene.settings.assignments);
+    flags.text("--preset", "NAME", "Options that come with Tarn: low, medium, high, best, thesis",
+               scene.settings.preset);
     auto files = std::make_shared<std::vector<std::string>>();
-    flags.list("--options", "FILE", "TOML file of options; --set wins over it", *files);
+    flags.list("--options", "FILE", "TOML file of options; it wins over --preset, --set over it", *files);
     flags.finally([files, &scene] { scene.settings.files.assign(files->begin(), files->end()); });
     flags.value("--water-level", "M", "Height of the water, m; gives a bare .obj its lake",
                 [&scene](const std::string& text, const std::string& flag) {
@@ -278,6 +281,72 @@ std::function<Command()> defineBench(Flags& flags)
     };
 }
 
+std::function<Command()> defineTrade(Flags& flags)
+{
+    auto command = std::make_shared<TradeCommand>();
+    TradeCommand& c = *command;
+    addScene(flags, c.scene);
+    flags.value("--out", "DIR",
+                "Folder of the results, the tables and report.html; made when it is not there",
+                [&c](const std::string& text, const std::string&) { c.out = text; });
+    flags.list("--sweep", "KEY=VALUES",
+               "Sweep an option: 1:8, 1:64:*2, 0:1:0.25 or a,b,c; a plan of its own by default", c.sweeps);
+    flags.toggle("--grid", "Every combination of the sweeps, instead of one option at a time", c.grid);
+    flags.value("--views", "NAMES", "Cameras, a,b,c; the scene's first eight by default",
+                [&c](const std::string& text, const std::string& flag) { c.views = parseNames(text, flag); });
+    flags.value(
+        "--times", "S,S", "Times of the waves, s",
+        [&c](const std::string& text, const std::string& flag) { c.times = parseNumbers(text, flag); });
+    flags.value("--size", "WxH", "Size of the pictures, pixels",
+                [&c](const std::string& text, const std::string& flag) { c.size = parseSize(text, flag); });
+    flags.count("--samples", "Frames timed of each setting", c.samples, 1, 100000);
+    flags.value("--shard", "I/N", "Measure only part I of N; --merge puts the parts together",
+                [&c](const std::string& text, const std::string& flag) {
+                    std::tie(c.shard, c.shards) = parseShard(text, flag);
+                });
+    auto merge = std::make_shared<std::vector<std::string>>();
+    flags.list("--merge", "DIR",
+               "Put another folder's results into --out and measure nothing; may be repeated", *merge);
+    flags.toggle("--fresh", "Throw the results in --out away and start anew", c.fresh);
+    flags.value("--write-presets", "DIR", "Write low, medium, high and best.toml, picked from the front",
+                [&c](const std::string& text, const std::string&) { c.writePresets = text; });
+    flags.finally([merge, &c] { c.merge.assign(merge->begin(), merge->end()); });
+    return [command]() -> Command {
+        if (command->out.empty()) throw UsageError("trade needs --out DIR, a folder for its results");
+        if (command->shards > 1 && (!command->merge.empty() || !command->writePresets.empty()))
+            throw UsageError("--shard measures a part only; leave --merge and --write-presets away");
+        return *command;
+    };
+}
+
+std::function<Command()> defineTune(Flags& flags)
+{
+    auto command = std::make_shared<TuneCommand>();
+    TuneCommand& c = *command;
+    addScene(flags, c.scene);
+    flags.value("--max-error", "FLIP", "The cheapest settings with at most this mean FLIP",
+                [&c](const std::string& text, const std::string& flag) {
+                    c.maxError = parseNumber(text, flag, 0.0, 1.0);
+                });
+    flags.value("--budget-ms", "MS", "The most accurate settings within so many milliseconds a frame",
+                [&c](const std::string& text, const std::string& flag) {
+                    c.budgetMs = parseNumber(text, flag, 1e-3, 1e6);
+                });
+    flags.list("--camera", "NAME", "A camera to tune for; may be repeated; the scene's first four by default",
+               c.cameras);
+    flags.value("--size", "WxH", "Size of the picture, pixels",
+                [&c](const std::string& text, const std::string& flag) { c.size = parseSize(text, flag); });
+    flags.number("--time", "S", "Time of the waves, s", c.time, -1e6, 1e6);
+    flags.count("--samples", "Frames timed of each setting", c.samples, 1, 100000);
+    flags.value("--out", "FILE", "A file for --options; standard output by default",
+                [&c](const std::string& text, const std::string&) { c.out = text; });
+    return [command]() -> Command {
+        if (command->maxError.has_value() == command->budgetMs.has_value())
+            throw UsageError("tune needs one goal: --max-error FLIP or --budget-ms MS");
+        return *command;
+    };
+}
+
 std::function<Command()> defineExplain(Flags& flags)
 {
     auto command = std::make_shared<ExplainCommand>();
@@ -348,6 +417,8 @@ constexpr CommandRow commands[] = {
     {"render", "Write pictures", defineRender},
     {"reference", "Trace the true picture, and what the water hides in it", defineReference},
     {"bench", "Measure what a frame and its passes cost, with the water and without", defineBench},
+    {"trade", "Measure what options cost in time and in accuracy, and write a report", defineTrade},
+    {"tune", "Find the settings that keep a limit of error or of time on this machine", defineTune},
     {"explain", "Say which passes a frame runs, and why", defineExplain},
     {"compare", "Say how different two pictures are, to the eye and in their values", defineCompare},
     {"options", "List every option", defineOptions},
@@ -433,7 +504,10 @@ Command parseCommandLine(const std::vector<std::string>& arguments)
     }
     const Declared& chosen = declared.at(name);
     chosen.flags->convert();
-    return chosen.make();
+    Command command = chosen.make();
+    if (auto* trade = std::get_if<TradeCommand>(&command))
+        trade->commandLine = fmt::format("tarn {}", fmt::join(arguments, " "));
+    return command;
 }
 
 } // namespace tarn

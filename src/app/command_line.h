@@ -82,6 +82,33 @@ struct ReferenceCommand {
     std::string json;
 };
 
+struct TradeCommand {
+    SceneArguments scene;
+    std::filesystem::path out;       ///< folder
+    std::vector<std::string> sweeps; ///< "key=values"; empty: the default plan
+    bool grid = false;
+    std::vector<std::string> views;      ///< names of cameras; empty: the first eight
+    std::vector<double> times{0.0, 1.7}; ///< s
+    ivec2 size{320, 240};                ///< pixels
+    int samples = 20;                    ///< frames timed of each setting
+    int shard = 1, shards = 1;           ///< this part of so many
+    std::vector<std::filesystem::path> merge;
+    bool fresh = false;
+    std::filesystem::path writePresets; ///< folder, or empty
+    std::string commandLine;            ///< as given, for the report
+};
+
+struct TuneCommand {
+    SceneArguments scene;
+    std::optional<double> maxError; ///< mean FLIP; exactly one of the two
+    std::optional<double> budgetMs;
+    std::vector<std::string> cameras; ///< empty: the first four
+    ivec2 size{640, 480};             ///< pixels
+    double time = 0.0;                ///< s
+    int samples = 20;
+    std::filesystem::path out; ///< empty: standard output
+};
+
 struct ExplainCommand {
     SceneArguments scene;
     ViewArguments view;
@@ -113,7 +140,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, CompareCommand, BenchCommand,
-                             ExplainCommand, OptionsCommand, InfoCommand>;
+                             TradeCommand, TuneCommand, ExplainCommand, OptionsCommand, InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a
 /// word that is none.

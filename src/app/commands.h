@@ -12,6 +12,8 @@ void run(const PrintCommand& command);
 void run(const RenderCommand& command);
 void run(const ReferenceCommand& command);
 void run(const BenchCommand& command);
+void run(const TradeCommand& command);
+void run(const TuneCommand& command);
 void run(const ExplainCommand& command);
 void run(const CompareCommand& command);
 void run(const OptionsCommand& command);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -75,6 +76,44 @@ int parseCount(std::string_view text, std::string_view flag, int lower, int uppe
     if (!value || *value < lower || *value > upper)
         throw UsageError("{} {}: give a whole number from {} to {}", flag, text, lower, upper);
     return *value;
+}
+
+std::vector<std::string> parseNames(std::string_view text, std::string_view flag)
+{
+    std::vector<std::string> names;
+    for (std::string_view rest = text;;) {
+        const std::size_t comma = rest.find(',');
+        std::string name(rest.substr(0, comma));
+        if (name.empty() || std::find(names.begin(), names.end(), name) != names.end())
+            throw UsageError("{} {}: give names a,b,c, each once", flag, text);
+        names.push_back(std::move(name));
+        if (comma == std::string_view::npos) return names;
+        rest.remove_prefix(comma + 1);
+    }
+}
+
+std::vector<double> parseNumbers(std::string_view text, std::string_view flag)
+{
+    std::vector<double> values;
+    for (const std::string& name : parseNames(text, flag)) {
+        const auto value = number<double>(name);
+        if (!value || !std::isfinite(*value))
+            throw UsageError("{} {}: give numbers a,b,c without spaces, such as 0,1.7", flag, text);
+        values.push_back(*value);
+    }
+    return values;
+}
+
+std::pair<int, int> parseShard(std::string_view text, std::string_view flag)
+{
+    constexpr int most = 10000;
+    const std::size_t slash = text.find('/');
+    if (slash != std::string_view::npos) {
+        const auto part = number<int>(text.substr(0, slash));
+        const auto parts = number<int>(text.substr(slash + 1));
+        if (part && parts && *part >= 1 && *part <= *parts && *parts <= most) return {*part, *parts};
+    }
+    throw UsageError("{} {}: give PART/PARTS, such as 1/4 for the first of four", flag, text);
 }
 
 } // namespace tarn

@@ -3,7 +3,10 @@
 
 #include "base/math.h"
 
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace tarn
 {
@@ -18,5 +21,14 @@ vec3 parseVec3(std::string_view text, std::string_view flag);
 double parseNumber(std::string_view text, std::string_view flag, double lower, double upper);
 
 int parseCount(std::string_view text, std::string_view flag, int lower, int upper);
+
+/// "a,b,c": at least one, none of them empty or twice.
+std::vector<std::string> parseNames(std::string_view text, std::string_view flag);
+
+/// "0,1.7": finite numbers, each once.
+std::vector<double> parseNumbers(std::string_view text, std::string_view flag);
+
+/// "2/4": the part and the number of parts.
+std::pair<int, int> parseShard(std::string_view text, std::string_view flag);
 
 } // namespace tarn

@@ -1,5 +1,6 @@
 #include "app/settings.h"
 
+#include "app/presets.h"
 #include "base/error.h"
 
 #include <nlohmann/json.hpp>
@@ -36,7 +37,9 @@ Settings resolveSettings(const Scene& scene, const SettingsArguments& arguments)
     Settings settings{Options{}, scene.water};
     const FieldTree tree = fieldTree(settings);
     applySceneOptions(tree, scene);
-    for (const std::filesystem::path& file : arguments.files)
+    std::vector<std::filesystem::path> files = arguments.files;
+    if (!arguments.preset.empty()) files.insert(files.begin(), presetFile(arguments.preset));
+    for (const std::filesystem::path& file : files)
         for (const Assignment& assignment : readOptionsFile(file))
             assign(tree, assignment);
     for (const std::string& text : arguments.assignments)

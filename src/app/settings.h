@@ -1,5 +1,5 @@
-// The options of a run, from the four places that may set them; later ones win:
-// defaults < the scene file's [options] < --options FILE < --set key=value.
+// The options of a run, from the five places that may set them; later ones win:
+// defaults < the scene file's [options] < --preset NAME < --options FILE < --set key=value.
 #pragma once
 
 #include "base/fields.h"
@@ -27,6 +27,7 @@ FieldTree fieldTree(Settings& settings);
 struct SettingsArguments {
     std::vector<std::filesystem::path> files; ///< --options
     std::vector<std::string> assignments;     ///< --set, "key=value"
+    std::string preset{};                     ///< --preset; empty: none
 };
 
 /// Reads a TOML file of the keys that --set takes: [refraction] steps = 3, or refraction.steps = 3.

@@ -17,10 +17,7 @@ Stage loadStage(const SceneArguments& arguments, Progress* progress)
     return stage;
 }
 
-namespace
-{
-
-Camera namedCamera(const Scene& scene, const std::string& name)
+Camera namedCamera(const Scene& scene, const std::string& name, const char* flag)
 {
     if (name.empty()) return scene.cameras.empty() ? Camera{} : scene.cameras.front();
     if (const Camera* camera = scene.findCamera(name)) return *camera;
@@ -29,15 +26,13 @@ Camera namedCamera(const Scene& scene, const std::string& name)
         names.push_back(camera.name);
     const std::string near = nearestName(name, names);
     if (!near.empty())
-        throw UsageError("--camera {}: no such camera in the scene, did you mean {}?", name, near);
-    throw UsageError("--camera {}: no such camera in the scene; it has {}", name, fmt::join(names, ", "));
+        throw UsageError("{} {}: no such camera in the scene, did you mean {}?", flag, name, near);
+    throw UsageError("{} {}: no such camera in the scene; it has {}", flag, name, fmt::join(names, ", "));
 }
-
-} // namespace
 
 Camera chooseCamera(const Scene& scene, const CameraArguments& arguments)
 {
-    Camera camera = namedCamera(scene, arguments.name);
+    Camera camera = namedCamera(scene, arguments.name, "--camera");
     if (arguments.eye) camera.eye = *arguments.eye;
     if (arguments.target) camera.target = *arguments.target;
     if (arguments.up) camera.up = *arguments.up;

@@ -10,7 +10,7 @@ pool=$project/tests/image/scenes/checkered_bed.toml
 test_help() {
     call 0 --help
     local command
-    for command in view render bench explain compare options info; do
+    for command in view render reference compare bench trade tune explain options info; do
         grep -qw "$command" "$work/stdout" || fail "--help does not name $command"
     done
     call 0 render --help
@@ -43,6 +43,16 @@ test_wrong_usage() {
     refuse 2 'table.*vary' bench "$pool" --table 2 --vary refraction.steps=1
     refuse 2 'error.*tarn reference' render "$pool" --error path --out a.png
     refuse 2 'fresnel' render "$pool" --error colour --reference a.exr --out a.png
+    refuse 2 'out' trade "$pool"
+    refuse 2 'refraction\.stpes.*refraction\.steps' trade "$pool" --out a --sweep refraction.stpes=1:8
+    refuse 2 'refraction\.steps.*64' trade "$pool" --out a --sweep refraction.steps=1:65
+    refuse 2 'method.*planar, iterative' trade "$pool" --out a --sweep refraction.method=planar,magic
+    refuse 2 'grid.*sweep' trade "$pool" --out a --grid
+    refuse 2 'shard.*1/4' trade "$pool" --out a --shard 3/2
+    refuse 2 'abvoe.*above' trade "$pool" --out a --views abvoe
+    refuse 2 'max-error.*budget-ms' tune "$pool"
+    refuse 2 'abvoe.*above' tune "$pool" --max-error 0.1 --camera abvoe
+    refuse 2 'hihg.*high' render "$pool" --preset hihg --out a.png
     refuse 2 'png' render "$pool" --out a.bmp
     refuse 2 'png' render "$pool" --out picture
     only_in_out
@@ -235,6 +245,15 @@ test_options() {
     grep -q 'refraction.steps' "$work/stdout" || fail "options does not list refraction.steps"
     call 0 options --json
     [[ $(head -c 1 "$work/stdout") =~ [[{] ]] || fail "options --json prints no JSON"
+}
+
+test_presets() {
+    local preset
+    for preset in low medium high best thesis; do
+        call 0 render "$pool" --size 32x24 --preset "$preset" --out "$preset.png"
+    done
+    call 0 explain "$pool" --preset thesis --set refraction.target_size=128
+    grep -q '^refraction .*128x128' "$work/stdout" || fail "--set does not win over --preset"
 }
 
 test_explain() {

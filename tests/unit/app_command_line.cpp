@@ -204,6 +204,43 @@ TEST(CommandLine, CompareUsedWrongly)
     EXPECT_NE(with("--max-flop", "1").find("did you mean --max-flip?"), std::string::npos);
 }
 
+TEST(CommandLine, Trade)
+{
+    const auto d = parsed<TradeCommand>({"trade", "--out", "o"});
+    EXPECT_EQ(d.size, ivec2(320, 240));
+    EXPECT_EQ(d.times, (std::vector<double>{0.0, 1.7}));
+    EXPECT_EQ(d.shards, 1);
+    const auto c = parsed<TradeCommand>({"trade", "s.toml", "--out", "o", "--sweep", "refraction.steps=1:8", "--sweep",
+                                         "caustics.filter=0:2", "--grid", "--views", "pier,bed", "--times", "0.5",
+                                         "--size", "64x48", "--samples", "7", "--shard", "2/4", "--fresh", "--preset",
+                                         "thesis"});
+    EXPECT_EQ(c.sweeps.size(), 2u);
+    EXPECT_TRUE(c.grid && c.fresh);
+    EXPECT_EQ(c.views, (std::vector<std::string>{"pier", "bed"}));
+    EXPECT_EQ(c.times, std::vector<double>{0.5});
+    EXPECT_EQ(c.samples, 7);
+    EXPECT_EQ(c.shard, 2);
+    EXPECT_EQ(c.shards, 4);
+    EXPECT_EQ(c.scene.settings.preset, "thesis");
+    EXPECT_EQ(c.commandLine.rfind("tarn trade s.toml --out o", 0), 0u);
+    EXPECT_EQ(parsed<TradeCommand>({"trade", "--out", "o", "--merge", "a", "--merge", "b"}).merge.size(), 2u);
+    EXPECT_NE(complaint({"trade"}).find("--out"), std::string::npos);
+    EXPECT_NE(complaint({"trade", "--out", "o", "--shard", "1/2", "--merge", "a"}).find("--merge"), std::string::npos);
+    for (const char* wrong : {"0/4", "5/4", "1", "1/", "/2", "a/b", "1/2/3"})
+        EXPECT_NE(complaint({"trade", "--out", "o", "--shard", wrong}).find("1/4"), std::string::npos) << wrong;
+    for (const char* wrong : {"", "1,", "soon", "1,1", "nan"})
+        EXPECT_NE(complaint({"trade", "--out", "o", "--times", wrong}), "") << wrong;
+}
+
+TEST(CommandLine, TuneHasOneGoal)
+{
+    EXPECT_DOUBLE_EQ(*parsed<TuneCommand>({"tune", "--max-error", "0.05"}).maxError, 0.05);
+    EXPECT_DOUBLE_EQ(*parsed<TuneCommand>({"tune", "--budget-ms", "16"}).budgetMs, 16.0);
+    EXPECT_NE(complaint({"tune"}).find("--budget-ms"), std::string::npos);
+    EXPECT_NE(complaint({"tune", "--max-error", "0.1", "--budget-ms", "3"}).find("one goal"), std::string::npos);
+    EXPECT_NE(complaint({"tune", "--max-error", "2"}), "");
+}
+
 TEST(CommandLine, HelpAndVersionAreText)
 {
     EXPECT_NE(parsed<PrintCommand>({"--help"}).text.find("bench"), std::string::npos);

@@ -1,0 +1,167 @@
+// tarn trade: what every setting costs in time and in accuracy, measured, stored and told.
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/trade_lab.h"
+#include "app/version.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "measure/trade/presets.h"
+#include "measure/trade/report.h"
+#include "measure/trade/runner.h"
+
+#include <fmt/chrono.h>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <ctime>
+
+namespace tarn {
+
+namespace {
+
+constexpr std::size_t mostViews = 8; // when none are named
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Ctrl-C lets the unit that is being measured come to its end; a second one ends the program at once.
+class StopOnInterrupt {
+public:
+    StopOnInterrupt() : before_(std::signal(SIGINT, handle)) {}
+    ~StopOnInterrupt() { std::signal(SIGINT, before_); }
+    StopOnInterrupt(const StopOnInterrupt&) = delete;
+    StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
+
+private:
+    static void handle(int /*signal*/)
+    {
+        interrupted = 1;
+        std::signal(SIGINT, SIG_DFL);
+    }
+
+    void (*before_)(int);
+};
+
+std::string titleOf(const Scene& scene)
+{
+    return scene.name.empty() ? scene.file.stem().string() : scene.name;
+}
+
+/// What tells one scene from another that has its name: its file's text and how much there is in it.
+std::string contentOf(const Scene& scene)
+{
+    std::size_t vertices = 0, faces = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        vertices += mesh.vertices.size();
+        faces += mesh.indices.size() / 3;
+    }
+    std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
+    for (const char c : readFile(scene.file))
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return fmt::format("{} vertices, {} faces, file {:016x}", vertices, faces, hash);
+}
+
+TradeSetup setupOf(const TradeCommand& command, const Stage& stage, const std::vector<Camera>& views)
+{
+    TradeSetup setup;
+    setup.describe = describerOf(stage.settings);
+    const std::vector<Preset> presets = command.sweeps.empty() ? loadPresets() : std::vector<Preset>{};
+    setup.plan = planTrade({command.sweeps, command.grid, presets}, setup.describe);
+    for (const Camera& camera : views)
+        setup.views.push_back(camera.name);
+    setup.times = command.times;
+    setup.about = {{"scene", stage.scene.file.filename().string()},
+                   {"content", contentOf(stage.scene)},
+                   {"size", fmt::format("{}x{}", command.size.x, command.size.y)},
+                   {"samples", fmt::format("{}", command.samples)},
+                   {"version", versionText()},
+                   {"base", settingsJson(stage.settings)}};
+    return setup;
+}
+
+std::string today()
+{
+    const std::time_t now = std::time(nullptr);
+    return fmt::format("{:%d %B %Y}", fmt::localtime(now));
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+    return fmt::format("{}", fmt::join(words, "; "));
+}
+
+void writeResults(const TradeCommand& command, const Stage& stage, const TradeSetup& setup,
+                  const TradeStore& store, const TradeResults& results)
+{
+    const auto write = [&](const char* name, const std::string& text) {
+        writeFile(command.out / name, text);
+        fmt::print("{}\n", (command.out / name).string());
+    };
+    write("results.csv", toCsv(setup, results));
+    write("results.json", toJson(setup, results, command.commandLine)
+                                  .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+                              "\n");
+    write("report.html",
+          tradeReport(setup, results, store, {titleOf(stage.scene), today(), command.commandLine}));
+}
+
+void writePresets(const TradeCommand& command, const Stage& stage, const TradeSetup& setup,
+                  const TradeResults& results)
+{
+    for (const PresetPick& pick : pickPresets(setup, results)) {
+        const PointResult& result = results.points[pick.point];
+        const std::vector<std::string> comment{
+            fmt::format("Preset {}: {}.", pick.name, measuredText(result.mean)),
+            fmt::format("Measured by tarn trade {}: {}, {}, mean of {}.", versionText(), titleOf(stage.scene),
+                        setup.about.at("size"), fmt::join(setup.views, ", ")),
+            fmt::format("On {}.", joined(results.machines))};
+        const std::filesystem::path file = command.writePresets / (pick.name + ".toml");
+        writeFile(file, presetText(setup, result.point, comment));
+        fmt::print("{}\n", file.string());
+    }
+}
+
+TradeResults measure(const TradeCommand& command, const Stage& stage, const std::vector<Camera>& views,
+                     const TradeSetup& setup, TradeStore& store)
+{
+    const auto lab = [&] {
+        TerminalProgress progress;
+        return makeTradeLab(stage, {views, command.size, command.times.front(), command.samples}, &progress);
+    }();
+    TerminalProgress progress; // starts counting here
+    const StopOnInterrupt guard;
+    const RunArguments arguments{command.shard, command.shards, [] { return interrupted != 0; }, &progress};
+    return runTrade(setup, store, *lab, arguments).results;
+}
+
+} // namespace
+
+void run(const TradeCommand& command)
+{
+    requireReportParts();
+    if (!command.writePresets.empty()) requireWritableFolder(command.writePresets);
+    const Stage stage = [&] {
+        TerminalProgress progress;
+        return loadStage(command.scene, &progress);
+    }();
+    const std::vector<Camera> views = chooseViews(stage.scene, command.views, mostViews, "--views");
+    const TradeSetup setup = setupOf(command, stage, views);
+    TradeStore store(command.out, keyOf(setup), command.fresh);
+
+    TradeResults results;
+    if (command.merge.empty()) {
+        results = measure(command, stage, views, setup, store);
+    } else {
+        store.merge(command.merge);
+        results = collectResults(setup, store);
+    }
+    if (!results.complete())
+        fmt::print(stderr,
+                   "tarn: {} of {} measurements are there; the same command without --shard and --merge "
+                   "makes the rest\n",
+                   results.done, results.total);
+    if (command.shards > 1 && !results.complete()) return;
+    writeResults(command, stage, setup, store, results);
+    if (!command.writePresets.empty()) writePresets(command, stage, setup, results);
+}
+
+} // namespace tarn

@@ -1,0 +1,145 @@
+#include "app/trade_lab.h"
+
+#include "app/machine.h"
+#include "app/presets.h"
+#include "app/rendered_subject.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "measure/statistics.h"
+
+#include <unistd.h>
+
+namespace tarn {
+
+Settings changedSettings(Settings settings, const Changes& changes, const std::string& origin)
+{
+    const FieldTree tree = fieldTree(settings);
+    for (const auto& [key, value] : changes)
+        assign(tree, {key, value, origin});
+    return settings;
+}
+
+DescribeSettings describerOf(const Settings& base)
+{
+    return [base](const Changes& changes, const std::string& origin) {
+        Settings settings = changedSettings(base, changes, origin);
+        return listFields(fieldTree(settings));
+    };
+}
+
+std::vector<Preset> loadPresets()
+{
+    std::vector<Preset> presets;
+    for (const std::string& name : presetNames()) {
+        Preset preset{name, {}};
+        for (const Assignment& assignment : readOptionsFile(presetFile(name)))
+            preset.changes[assignment.key] = assignment.value;
+        presets.push_back(std::move(preset));
+    }
+    return presets;
+}
+
+std::vector<Camera> chooseViews(const Scene& scene, const std::vector<std::string>& names, std::size_t most,
+                                const char* flag)
+{
+    std::vector<Camera> views;
+    for (const std::string& name : names)
+        views.push_back(namedCamera(scene, name, flag));
+    if (!views.empty()) return views;
+    for (const Camera& camera : scene.cameras)
+        if (views.size() < most) views.push_back(camera);
+    if (views.empty()) views.emplace_back().name = "default";
+    return views;
+}
+
+namespace {
+
+/// The bytes of a PNG file.
+std::string pngOf(const Image& image)
+{
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / fmt::format("tarn-{}-picture.png", ::getpid());
+    writeImage(file, image);
+    std::string bytes = readFile(file);
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    return bytes;
+}
+
+Price priceOf(const BenchResult& result, const BenchResult& base)
+{
+    Price price;
+    price.median = percentile(result.frame.wallMs, 0.5);
+    price.p95 = percentile(result.frame.wallMs, 0.95);
+    price.cpu = percentile(result.frame.cpuMs, 0.5);
+    price.ratio = medianRatio(result.frame.wallMs, base.frame.wallMs);
+    for (const auto& [name, series] : result.passes)
+        price.passes.push_back({name, percentile(series.wallMs, 0.5)});
+    return price;
+}
+
+class RenderedLab : public TradeLab {
+public:
+    RenderedLab(const Stage& stage, const LabArguments& arguments, Progress* progress)
+        : stage_(stage), arguments_(arguments), session_(stage, arguments.size, progress)
+    {}
+
+    ErrorFigures errors(const TradePoint& point, std::size_t view, double time) override
+    {
+        render(point, view, time);
+        // The reference's picture of this view and time, and the comparison with it, belong here.
+        throw Error("this build has no reference to measure errors against");
+    }
+
+    std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) override
+    {
+        const SubjectView subjectView{arguments_.views[view], arguments_.time, arguments_.size};
+        std::vector<std::unique_ptr<BenchSubject>> subjects;
+        for (const TradePoint& point : points)
+            subjects.push_back(
+                std::make_unique<SettledSubject>(point.label, session_, settingsOf(point), subjectView));
+        const BenchReport report = runBenchmark(subjects, {.frames = arguments_.samples, .warmUp = 2});
+        std::vector<Price> prices;
+        for (const BenchResult& result : report.results)
+            prices.push_back(priceOf(result, report.results.front()));
+        return prices;
+    }
+
+    TradePictures pictures(const TradePoint& point, std::size_t view) override
+    {
+        render(point, view, arguments_.time);
+        // The reference's picture and FLIP's belong here, too.
+        return {pngOf(session_.renderer().readDisplay()), "", ""};
+    }
+
+    std::string machine() const override
+    {
+        return fmt::format("{}; {}", session_.context().renderer(), machineText());
+    }
+
+private:
+    Settings settingsOf(const TradePoint& point) const
+    {
+        return changedSettings(stage_.settings, point.changes, point.label);
+    }
+
+    void render(const TradePoint& point, std::size_t view, double time)
+    {
+        const Settings settings = settingsOf(point);
+        session_.renderer().setOptions(settings.options, settings.water);
+        session_.renderer().render({arguments_.views[view], time, arguments_.size});
+    }
+
+    const Stage& stage_;
+    LabArguments arguments_;
+    Session session_;
+};
+
+} // namespace
+
+std::unique_ptr<TradeLab> makeTradeLab(const Stage& stage, const LabArguments& arguments, Progress* progress)
+{
+    return std::make_unique<RenderedLab>(stage, arguments, progress);
+}
+
+} // namespace tarn

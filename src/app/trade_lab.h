@@ -1,0 +1,39 @@
+// What `tarn trade` and `tarn tune` share: the base that settings change, the views, and the lab that
+// measures them.
+#pragma once
+
+#include "app/stage.h"
+#include "measure/trade/lab.h"
+#include "measure/trade/plan.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tarn {
+
+/// The settings with these changes. Throws UsageError as assign() does.
+Settings changedSettings(Settings settings, const Changes& changes, const std::string& origin);
+
+/// For planTrade and its like; keeps a copy of the base.
+DescribeSettings describerOf(const Settings& base);
+
+/// Every preset that comes with the program. Throws UsageError when one is damaged.
+std::vector<Preset> loadPresets();
+
+/// The cameras of these names; without names the scene's first `most`. Throws UsageError for a name that is
+/// none.
+std::vector<Camera> chooseViews(const Scene& scene, const std::vector<std::string>& names, std::size_t most,
+                                const char* flag);
+
+struct LabArguments {
+    std::vector<Camera> views;
+    ivec2 size{320, 240}; ///< pixels
+    double time = 0.0;    ///< of the pictures and of the first frame that is timed, s
+    int samples = 20;     ///< frames timed of each setting
+};
+
+/// Keeps a reference to the stage, whose settings are the base.
+std::unique_ptr<TradeLab> makeTradeLab(const Stage& stage, const LabArguments& arguments, Progress* progress);
+
+} // namespace tarn

@@ -1,0 +1,88 @@
+// tarn tune: the settings for this machine that keep a limit of error, or of time.
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/trade_lab.h"
+#include "app/version.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "measure/trade/presets.h"
+#include "measure/trade/tune.h"
+
+namespace tarn {
+
+namespace {
+
+constexpr std::size_t mostViews = 4; // when none are named
+
+std::string goalText(const TuneGoal& goal)
+{
+    return goal.maxError ? fmt::format("mean FLIP of at most {}", *goal.maxError)
+                         : fmt::format("at most {} ms a frame", *goal.budgetMs);
+}
+
+std::string foundText(const Tuned& tuned)
+{
+    return fmt::format("{:.1f} ms a frame, mean FLIP {:.4f}", tuned.ms, tuned.error);
+}
+
+/// A machine or scene that cannot reach the goal is told what it can reach.
+void requireReached(const TuneGoal& goal, const TuneOutcome& outcome)
+{
+    if (outcome.reached) return;
+    std::string changes;
+    for (const auto& [key, value] : outcome.best.point.changes)
+        changes += fmt::format(" --set {}={}", key, value);
+    throw Error("{} is out of reach here; the nearest of {} settings has {}:{}", goalText(goal),
+                outcome.tried, foundText(outcome.best), changes.empty() ? " the base" : changes);
+}
+
+std::string fileText(const TuneCommand& command, const Stage& stage, const TradeSetup& setup,
+                     const TuneOutcome& outcome, const std::string& machine)
+{
+    return presetText(setup, outcome.best.point,
+                      {fmt::format("{}.", foundText(outcome.best)),
+                       fmt::format("Found by tarn tune {}: {}, the best of {} settings.", versionText(),
+                                   goalText({command.maxError, command.budgetMs}), outcome.tried),
+                       fmt::format("{} at {}x{}, {}.", stage.scene.file.filename().string(), command.size.x,
+                                   command.size.y, fmt::join(setup.views, ", ")),
+                       fmt::format("On {}.", machine)});
+}
+
+} // namespace
+
+void run(const TuneCommand& command)
+{
+    if (!command.out.empty()) requireWritableFolder(command.out.parent_path());
+    TerminalProgress progress;
+    const Stage stage = loadStage(command.scene, &progress);
+    const std::vector<Camera> views = chooseViews(stage.scene, command.cameras, mostViews, "--camera");
+    TradeSetup setup;
+    setup.describe = describerOf(stage.settings);
+    setup.plan = planTrade({{}, false, loadPresets()}, setup.describe);
+    for (const Camera& camera : views)
+        setup.views.push_back(camera.name);
+
+    TuneRequest request{{command.maxError, command.budgetMs},
+                        {setup.plan.base()},
+                        {},
+                        setup.describe,
+                        views.size(),
+                        command.time};
+    for (const auto& [name, index] : setup.plan.presets)
+        addPoint(request.candidates, setup.plan.points[index]);
+    for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
+        request.sweeps.push_back(swept.sweep);
+
+    const auto lab = makeTradeLab(stage, {views, command.size, command.time, command.samples}, &progress);
+    const TuneOutcome outcome = tune(request, *lab, &progress);
+    requireReached(request.goal, outcome);
+    const std::string text = fileText(command, stage, setup, outcome, lab->machine());
+    if (command.out.empty()) {
+        fmt::print("{}", text);
+    } else {
+        writeFile(command.out, text);
+        fmt::print("{}: {}\n", command.out.string(), foundText(outcome.best));
+    }
+}
+
+} // namespace tarn

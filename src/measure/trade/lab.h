@@ -1,0 +1,60 @@
+// Where settings are measured. The trade's plan, runner and report know only this face of it, so that they
+// can be tested without a renderer and without a reference.
+#pragma once
+
+#include "measure/error_figures.h"
+#include "measure/trade/plan.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tarn {
+
+/// What a frame costs. All in milliseconds.
+struct Price {
+    double median = 0.0, p95 = 0.0; ///< of a frame, wall time
+    double cpu = 0.0;               ///< of the process, median
+    double ratio = 1.0; ///< to the first point of the batch, median over frames that were neighbours
+    struct Pass {
+        std::string name;
+        double median = 0.0;
+    };
+    std::vector<Pass> passes;
+};
+
+/// Whole PNG files of one size; empty for one that the lab cannot make.
+struct TradePictures {
+    std::string realTime, reference, flip;
+};
+
+/// What each part of a frame adds to its error (README, "Accuracy").
+struct ErrorBudget {
+    struct Row {
+        std::string part;
+        double alone = 0.0;   ///< error of the reference with this approximation in it
+        double removed = 0.0; ///< by how much the frame's error falls when this part of it is exact
+    };
+    std::string quantity; ///< "mean FLIP"
+    std::vector<Row> rows;
+    double total = 0.0; ///< error of the frame as it is
+};
+
+class TradeLab {
+public:
+    virtual ~TradeLab() = default;
+
+    /// The figures of one picture. @param view index of a camera  @param time s
+    virtual ErrorFigures errors(const TradePoint& point, std::size_t view, double time) = 0;
+    /// All points take turns, so that drift of the machine strikes all alike. One price for each.
+    virtual std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) = 0;
+    virtual TradePictures pictures(const TradePoint& point, std::size_t view) = 0;
+    /// Of the base; nothing when this lab makes none.
+    virtual std::optional<ErrorBudget> budget(std::size_t /*view*/) { return std::nullopt; }
+    /// "llvmpipe …; 2 threads": what the prices hold for.
+    virtual std::string machine() const = 0;
+};
+
+} // namespace tarn

@@ -1,0 +1,126 @@
+#include "measure/trade/plan.h"
+
+#include "base/error.h"
+
+#include <cstdint>
+
+namespace tarn {
+
+namespace {
+
+constexpr std::size_t mostGridPoints = 10000;
+
+/// FNV-1a: stable over runs, machines and versions, which std::hash is not.
+std::string idOf(const Changes& changes)
+{
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const auto& [key, value] : changes)
+        for (const char c : key + "=" + value + "\n")
+            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return fmt::format("{:012x}", hash & 0xffffffffffffu);
+}
+
+std::string labelOf(const Changes& changes)
+{
+    std::string label;
+    for (const auto& [key, value] : changes)
+        label += fmt::format("{}{}={}", label.empty() ? "" : ", ", key, value);
+    return label.empty() ? "base" : label;
+}
+
+void planSweeps(TradePlan& plan, const std::vector<Sweep>& sweeps, const DescribeSettings& describe)
+{
+    for (const Sweep& sweep : sweeps) {
+        TradePlan::SweptPoints swept{sweep, {}};
+        for (const std::string& value : sweep.values)
+            swept.points.push_back(
+                addPoint(plan.points, makePoint({{sweep.key, value}}, "", "sweep", describe)));
+        plan.sweeps.push_back(std::move(swept));
+    }
+}
+
+void planGrid(TradePlan& plan, const std::vector<Sweep>& sweeps, const DescribeSettings& describe)
+{
+    std::size_t count = 1;
+    for (const Sweep& sweep : sweeps) {
+        count *= sweep.values.size();
+        if (count > mostGridPoints)
+            throw UsageError("--grid: more than {} combinations; sweep fewer values", mostGridPoints);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        Changes changes;
+        std::size_t rest = i;
+        for (const Sweep& sweep : sweeps) {
+            changes[sweep.key] = sweep.values[rest % sweep.values.size()];
+            rest /= sweep.values.size();
+        }
+        addPoint(plan.points, makePoint(changes, "", "grid", describe));
+    }
+}
+
+} // namespace
+
+TradePoint makePoint(const Changes& changes, std::string label, std::string origin,
+                     const DescribeSettings& describe)
+{
+    const std::vector<FieldRow> before = describe({}, origin);
+    const std::vector<FieldRow> after = describe(changes, origin);
+    TradePoint point;
+    for (std::size_t i = 0; i < after.size(); ++i)
+        if (after[i].value != before[i].value) point.changes[after[i].key] = after[i].value;
+    point.id = idOf(point.changes);
+    point.label = label.empty() ? labelOf(point.changes) : std::move(label);
+    point.origin = std::move(origin);
+    return point;
+}
+
+std::size_t addPoint(std::vector<TradePoint>& points, TradePoint point)
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].id == point.id) return i;
+    points.push_back(std::move(point));
+    return points.size() - 1;
+}
+
+std::vector<std::string> defaultSweeps()
+{
+    return {"refraction.steps=1,2,3,6,12,24",
+            "refraction.target_size=128:2048:*2",
+            "refraction.camera=main,snell",
+            "refraction.method=planar,iterative",
+            "refraction.fov_extension_near=1,1.25,1.5,2",
+            "refraction.fov_extension_far=1,1.2,1.5",
+            "reflection.target_size=128:1024:*2",
+            "reflection.distance=0,1,2,4,8,16",
+            "caustics.method=cpu,points,fetch,mesh",
+            "caustics.texture_size=128:1024:*2",
+            "caustics.photons=128:1024:*2",
+            "caustics.filter=0:2",
+            "sunlight.map_size=512:4096:*2",
+            "sunlight.taps=1,2,3,5",
+            "water.grid_size=17,33,49,97,193",
+            "water.normals=vertex,pixel",
+            "water.filter_waves=false,true",
+            "frame.msaa=1,2,4,8"};
+}
+
+TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe)
+{
+    const bool isDefault = request.sweeps.empty();
+    const std::vector<Sweep> sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
+    if (request.grid && isDefault) throw UsageError("--grid needs at least one --sweep KEY=VALUES");
+    TradePlan plan;
+    plan.points.push_back(makePoint({}, "base", "base", describe));
+    if (request.grid) {
+        planGrid(plan, sweeps, describe);
+    } else {
+        planSweeps(plan, sweeps, describe);
+    }
+    for (const Preset& preset : request.presets)
+        plan.presets.emplace_back(
+            preset.name, addPoint(plan.points, makePoint(preset.changes, preset.name, "preset", describe)));
+    plan.walk = isDefault;
+    return plan;
+}
+
+} // namespace tarn

@@ -1,0 +1,35 @@
+// Presets out of a trade: few settings that stand for the whole front.
+//
+// All four are points of the Pareto front of mean time against mean FLIP. `best` has the least error. `low`
+// is the cheapest that is at least as accurate as the thesis' settings, or simply the cheapest where none is
+// or the thesis was not measured. The way between their prices is cut into three equal factors: `medium` and
+// `high` are the most accurate points that cost no more than the first and the second cut.
+#pragma once
+
+#include "measure/trade/results.h"
+
+#include <string>
+#include <vector>
+
+namespace tarn {
+
+struct PresetPick {
+    std::string name;
+    std::size_t point = 0; ///< index into the results
+};
+
+/// low, medium, high, best. Throws Error when no point has both a price and an error.
+std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults& results);
+
+/// "12.3 ms a frame, mean FLIP 0.0456, …", for people.
+std::string measuredText(const Measured& measured);
+
+/// A file for --options: every option that the plan's sweeps and presets know, whatever the base.
+/// @param comment lines at its head
+std::string presetText(const TradeSetup& setup, const TradePoint& point,
+                       const std::vector<std::string>& comment);
+
+/// The options of a file for --options: those keys, with the values of these rows.
+std::string optionsText(const std::vector<FieldRow>& rows, const std::vector<std::string>& keys);
+
+} // namespace tarn

@@ -1,0 +1,74 @@
+#include "measure/trade/trade_json.h"
+
+#include <cmath>
+
+namespace tarn {
+
+using nlohmann::json;
+
+json numberJson(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+double numberFrom(const json& number)
+{
+    return number.is_number() ? number.get<double>() : ErrorFigures::none;
+}
+
+json toJson(const ErrorFigures& figures)
+{
+    json result = json::object();
+    for (const FigureField& field : errorFigureFields())
+        result[field.name] = numberJson(figures.*field.member);
+    return result;
+}
+
+ErrorFigures figuresFrom(const json& figures)
+{
+    ErrorFigures result;
+    for (const FigureField& field : errorFigureFields())
+        if (figures.contains(field.name)) result.*field.member = numberFrom(figures[field.name]);
+    return result;
+}
+
+json toJson(const Price& price)
+{
+    json passes = json::array();
+    for (const Price::Pass& pass : price.passes)
+        passes.push_back({{"name", pass.name}, {"median_ms", numberJson(pass.median)}});
+    return {{"median_ms", numberJson(price.median)},
+            {"p95_ms", numberJson(price.p95)},
+            {"cpu_ms", numberJson(price.cpu)},
+            {"ratio_to_base", numberJson(price.ratio)},
+            {"passes", passes}};
+}
+
+Price priceFrom(const json& price)
+{
+    Price result{numberFrom(price.at("median_ms")),
+                 numberFrom(price.at("p95_ms")),
+                 numberFrom(price.at("cpu_ms")),
+                 numberFrom(price.at("ratio_to_base")),
+                 {}};
+    for (const json& pass : price.at("passes"))
+        result.passes.push_back({pass.at("name").get<std::string>(), numberFrom(pass.at("median_ms"))});
+    return result;
+}
+
+json toJson(const ErrorBudget& budget)
+{
+    json rows = json::array();
+    for (const ErrorBudget::Row& row : budget.rows)
+        rows.push_back(
+            {{"part", row.part}, {"alone", numberJson(row.alone)}, {"removed", numberJson(row.removed)}});
+    return {{"quantity", budget.quantity}, {"total", numberJson(budget.total)}, {"rows", rows}};
+}
+
+ErrorBudget budgetFrom(const json& budget)
+{
+    ErrorBudget result{budget.at("quantity").get<std::string>(), {}, numberFrom(budget.at("total"))};
+    for (const json& row : budget.at("rows"))
+        result.rows.push_back(
+            {row.at("part").get<std::string>(), numberFrom(row.at("alone")), numberFrom(row.at("removed"))});
+    return result;
+}
+
+} // namespace tarn

@@ -1,0 +1,183 @@
+// What a trade measures: sweeps, plans, Pareto fronts, walks.
+
+#include "measure/trade/pareto.h"
+#include "measure/trade/walk.h"
+#include "synthetic_lab.h"
+#include "temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace tarn {
+namespace {
+
+using test::messageOf;
+using Values = std::vector<std::string>;
+
+Values valuesOf(const std::string& text) { return parseSweep(text, describerOf(Settings{})).values; }
+
+std::string complaint(const std::string& text)
+{
+    return messageOf<UsageError>([&] { valuesOf(text); });
+}
+
+TEST(TradeSweep, RangesGoUpInTheirSteps)
+{
+    EXPECT_EQ(valuesOf("refraction.steps=1:4"), (Values{"1", "2", "3", "4"}));
+    EXPECT_EQ(valuesOf("refraction.steps=1:64:*2"), (Values{"1", "2", "4", "8", "16", "32", "64"}));
+    EXPECT_EQ(valuesOf("reflection.distance=0:1:0.25"), (Values{"0", "0.25", "0.5", "0.75", "1"}));
+    EXPECT_EQ(valuesOf("reflection.distance=0:0.3:0.1"), (Values{"0", "0.1", "0.2", "0.3"}))
+        << "rounding adds up";
+    EXPECT_EQ(valuesOf("refraction.steps=3:3"), Values{"3"});
+    EXPECT_EQ(valuesOf("refraction.steps=1:6:2"), (Values{"1", "3", "5"}));
+}
+
+TEST(TradeSweep, ListsHoldNumbersAndNames)
+{
+    EXPECT_EQ(valuesOf("caustics.texture_size=128, 256,512"), (Values{"128", "256", "512"}));
+    EXPECT_EQ(valuesOf("caustics.method=cpu,fetch"), (Values{"cpu", "fetch"}));
+    EXPECT_EQ(valuesOf("glow.enabled=on,off"), (Values{"true", "false"}));
+    EXPECT_EQ(valuesOf("reflection.distance=1,1.0,2"), (Values{"1", "2"}))
+        << "one value, written in two ways";
+    EXPECT_EQ(valuesOf("water.absorption=0.1,0.2,0.3;0.5"), (Values{"0.1,0.2,0.3", "0.5,0.5,0.5"}));
+}
+
+TEST(TradeSweep, MistakesAreToldBeforeAnyWork)
+{
+    EXPECT_CONTAINS(complaint("refraction.stpes=1:8"), "refraction.steps");
+    EXPECT_CONTAINS(complaint("refraction.steps=0:8"), "1 to 64");
+    EXPECT_CONTAINS(complaint("refraction.steps=1:65"), "'65'");
+    EXPECT_CONTAINS(complaint("refraction.steps=1:2:0.5"), "whole number");
+    EXPECT_CONTAINS(complaint("refraction.steps=8:1"), "goes up");
+    EXPECT_CONTAINS(complaint("refraction.steps=1:8:0"), "goes up");
+    EXPECT_CONTAINS(complaint("refraction.steps=1:8:*1"), "goes up");
+    EXPECT_CONTAINS(complaint("refraction.steps=0:8:*2"), "goes up");
+    EXPECT_CONTAINS(complaint("reflection.distance=0:100:0.001"), "1000");
+    EXPECT_CONTAINS(complaint("caustics.method=cpu,magic"), "magic");
+    EXPECT_CONTAINS(complaint("refraction.steps=1,,2"), "whole number");
+    EXPECT_CONTAINS(complaint("refraction.steps"), "key=value");
+    EXPECT_CONTAINS(messageOf<UsageError>([] {
+                        parseSweeps({"refraction.steps=1", "refraction.steps=2"}, describerOf(Settings{}));
+                    }),
+                    "twice");
+}
+
+TEST(TradePlan, SweepsAreRoundTheBaseAndEachConfigurationStandsOnce)
+{
+    const TradePlan plan =
+        planTrade({{"refraction.steps=1:4", "caustics.filter=1,2"}, false, {}}, describerOf(Settings{}));
+    ASSERT_EQ(plan.points.size(), 5u) << "the defaults, steps 1, 2 and 4, filter 1";
+    EXPECT_TRUE(plan.base().changes.empty());
+    EXPECT_EQ(plan.sweeps[0].points, (std::vector<std::size_t>{1, 2, 0, 3}));
+    EXPECT_EQ(plan.sweeps[1].points, (std::vector<std::size_t>{4, 0}));
+    EXPECT_EQ(plan.points[1].label, "refraction.steps=1");
+    EXPECT_FALSE(plan.walk);
+}
+
+TEST(TradePlan, AGridHasEveryCombination)
+{
+    const TradePlan plan =
+        planTrade({{"refraction.steps=1:4", "caustics.filter=0:2"}, true, {}}, describerOf(Settings{}));
+    EXPECT_EQ(plan.points.size(), 12u);
+    EXPECT_TRUE(plan.sweeps.empty());
+    EXPECT_CONTAINS(messageOf<UsageError>([] {
+                        planTrade({{"refraction.steps=1:64", "refraction.target_size=16:1000"}, true, {}},
+                                  describerOf(Settings{}));
+                    }),
+                    "10000");
+    EXPECT_CONTAINS(messageOf<UsageError>([] {
+                        planTrade({{}, true, {}}, describerOf(Settings{}));
+                    }),
+                    "--sweep");
+}
+
+TEST(TradePlan, TheDefaultIsLargeEnoughAndNotTooLarge)
+{
+    const TradePlan plan = planTrade({{}, false, loadPresets()}, describerOf(Settings{}));
+    EXPECT_GE(plan.points.size(), 45u);
+    EXPECT_LE(plan.points.size(), 68u) << "with twelve steps of the walk at most 80";
+    EXPECT_EQ(plan.presets.size(), loadPresets().size());
+    EXPECT_TRUE(plan.walk);
+    for (std::size_t i = 0; i < plan.points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_NE(plan.points[i].id, plan.points[j].id);
+}
+
+TEST(TradePlan, AnIdIsOfTheChangesOnly)
+{
+    const DescribeSettings describe = describerOf(Settings{});
+    const TradePoint a =
+        makePoint({{"refraction.steps", "5"}, {"caustics.filter", "2"}}, "a", "sweep", describe);
+    const TradePoint b = makePoint({{"refraction.steps", "5"}}, "b", "preset", describe);
+    EXPECT_EQ(a.id, b.id) << "the filter is 2 anyway";
+    EXPECT_EQ(a.id, "92ddc8e38381") << "results of older runs must still be found";
+    EXPECT_NE(a.id, makePoint({{"refraction.steps", "6"}}, "", "", describe).id);
+}
+
+using Front = std::vector<std::size_t>;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(TradePareto, KeepsWhatNothingBeats)
+{
+    EXPECT_EQ(paretoFront(std::vector<PricedError>{{3, 1}, {1, 3}, {2, 2}, {3, 2}, {2, 4}}),
+              (Front{1, 2, 0}));
+    EXPECT_EQ(paretoFront(std::vector<PricedError>{}), Front{});
+    EXPECT_EQ(paretoFront(std::vector<PricedError>{{5, 5}}), Front{0});
+}
+
+TEST(TradePareto, TiesStandOnce)
+{
+    EXPECT_EQ(paretoFront(std::vector<PricedError>{{1, 1}, {1, 1}, {1, 1}}), Front{0});
+    EXPECT_EQ(paretoFront(std::vector<PricedError>{{1, 2}, {1, 1}}), Front{1}) << "same price, less error";
+    EXPECT_EQ(paretoFront(std::vector<PricedError>{{2, 1}, {1, 1}}), Front{1}) << "same error, cheaper";
+}
+
+TEST(TradePareto, WhatWasNotMeasuredIsNotOnIt)
+{
+    EXPECT_EQ(paretoFront(std::vector<PricedError>{{nan, 0}, {1, nan}, {2, 1}, {nan, nan}}), Front{2});
+}
+
+TEST(TradePareto, EveryFigureHasAnErrorThatIsLeastAtBest)
+{
+    ErrorFigures good, bad;
+    for (const FigureField& field : errorFigureFields()) {
+        good.*field.member = field.smallerIsBetter ? 0.1 : 60.0;
+        bad.*field.member = field.smallerIsBetter ? 0.2 : 20.0;
+    }
+    good.causticsEnergy = 0.99;
+    bad.causticsEnergy = 1.2;
+    for (const FigureField& field : errorFigureFields())
+        EXPECT_LT(errorOf(field, good), errorOf(field, bad)) << field.name;
+}
+
+TEST(TradeWalk, TakesTheBestChangeForItsTime)
+{
+    const std::vector<SweptOption> options{
+        {"a", {{"1", 1.0, 1.0}, {"2", 2.0, 0.5}, {"3", 9.0, 0.4}}}, // 0.5 for 1 ms, then 0.1 for 7 ms
+        {"b", {{"x", 1.0, 1.0}, {"y", 3.0, 0.2}, {"z", 0.5, nan}}}, // 0.8 for 2 ms
+    };
+    const std::vector<WalkStep> walk = greedyWalk(options);
+    ASSERT_EQ(walk.size(), 4u);
+    EXPECT_EQ(walk[0].changes, (Changes{{"a", "1"}, {"b", "x"}}));
+    EXPECT_EQ(walk[1].changes, (Changes{{"a", "2"}, {"b", "x"}}));
+    EXPECT_EQ(walk[2].changes, (Changes{{"a", "2"}, {"b", "y"}}));
+    EXPECT_EQ(walk[3].changes, (Changes{{"a", "3"}, {"b", "y"}}));
+    EXPECT_DOUBLE_EQ(walk[3].price, 12.0);
+    EXPECT_TRUE(greedyWalk({}).empty());
+}
+
+TEST(TradeWalk, ThinnedKeepsBothEnds)
+{
+    std::vector<WalkStep> steps;
+    for (int i = 0; i < 30; ++i)
+        steps.push_back({{}, static_cast<double>(i), 0.0});
+    const std::vector<WalkStep> few = thinned(steps, 5);
+    ASSERT_EQ(few.size(), 5u);
+    EXPECT_DOUBLE_EQ(few.front().price, 0.0);
+    EXPECT_DOUBLE_EQ(few.back().price, 29.0);
+    EXPECT_EQ(thinned(few, 8).size(), 5u);
+}
+
+} // namespace
+} // namespace tarn

@@ -1,0 +1,191 @@
+// Presets and tuning on a surface of prices and errors that is known.
+
+#include "app/presets.h"
+#include "measure/trade/presets.h"
+#include "measure/trade/runner.h"
+#include "measure/trade/tune.h"
+#include "synthetic_lab.h"
+#include "temp_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace tarn {
+namespace {
+
+using test::messageOf;
+using test::SyntheticLab;
+using test::syntheticSetup;
+
+const std::vector<std::string> fewSweeps{"refraction.steps=1,2,3,6,12,24",
+                                         "refraction.target_size=128:2048:*2", "caustics.photons=128:1024:*2",
+                                         "water.normals=vertex,pixel", "frame.msaa=1,2,4,8"};
+
+TuneRequest requestOf(const TuneGoal& goal)
+{
+    const DescribeSettings describe = describerOf(Settings{});
+    return {goal, {makePoint({}, "", "base", describe)}, parseSweeps(fewSweeps, describe), describe, 1, 0.0};
+}
+
+/// The best of every combination.
+Tuned exhaustive(const TuneGoal& goal)
+{
+    Tuned best{{}, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    const DescribeSettings describe = describerOf(Settings{});
+    for (const TradePoint& point : planTrade({fewSweeps, true, {}}, describe).points) {
+        const Options options = SyntheticLab::settingsOf(point).options;
+        const Tuned tuned{point, SyntheticLab::priceOf(options), SyntheticLab::flipOf(options)};
+        const double value = goal.maxError ? tuned.ms : tuned.error,
+                     least = goal.maxError ? best.ms : best.error;
+        const bool reached = goal.maxError ? tuned.error <= *goal.maxError : tuned.ms <= *goal.budgetMs;
+        if (reached && value < least) best = tuned;
+    }
+    return best;
+}
+
+TEST(Tune, FindsTheCheapestThatIsAccurateEnough)
+{
+    for (const double limit : {0.08, 0.07, 0.06, 0.055}) {
+        SyntheticLab lab;
+        const TuneGoal goal{limit, {}};
+        const TuneOutcome outcome = tune(requestOf(goal), lab);
+        EXPECT_TRUE(outcome.reached) << limit;
+        EXPECT_LE(outcome.best.error, limit);
+        EXPECT_LE(outcome.best.ms, 1.05 * exhaustive(goal).ms) << "limit " << limit;
+        EXPECT_LT(outcome.tried, 100u) << "of 960 combinations";
+    }
+}
+
+TEST(Tune, FindsTheMostAccurateWithinTheBudget)
+{
+    for (const double budget : {7.0, 9.0, 15.0, 40.0}) {
+        SyntheticLab lab;
+        const TuneGoal goal{{}, budget};
+        const TuneOutcome outcome = tune(requestOf(goal), lab);
+        EXPECT_TRUE(outcome.reached) << budget;
+        EXPECT_LE(outcome.best.ms, budget);
+        EXPECT_LE(outcome.best.error, 1.05 * exhaustive(goal).error) << "budget " << budget;
+    }
+}
+
+TEST(Tune, TellsTheNearestWhenTheGoalIsOutOfReach)
+{
+    SyntheticLab lab;
+    const TuneOutcome accurate = tune(requestOf({0.001, {}}), lab);
+    EXPECT_FALSE(accurate.reached);
+    EXPECT_EQ(accurate.best.point.changes.at("refraction.steps"), "24");
+    EXPECT_EQ(accurate.best.point.changes.at("caustics.photons"), "1024");
+    const TuneOutcome cheap = tune(requestOf({{}, 0.1}), lab);
+    EXPECT_FALSE(cheap.reached);
+    EXPECT_EQ(cheap.best.point.changes.at("frame.msaa"), "1");
+    EXPECT_EQ(cheap.best.point.changes.at("caustics.photons"), "128");
+}
+
+TEST(Tune, MeasuresNothingTwiceAndNeverChoosesWhatItCouldNotMeasure)
+{
+    SyntheticLab lab;
+    tune(requestOf({0.06, {}}), lab);
+    std::vector<std::string> errors;
+    for (const std::string& what : lab.measured)
+        if (what.starts_with("errors")) errors.push_back(what);
+    EXPECT_EQ(std::set<std::string>(errors.begin(), errors.end()).size(), errors.size());
+
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(isBetter({0.1, {}}, {{}, 1.0, nan}, {{}, 5.0, 0.5}));
+    EXPECT_TRUE(isBetter({0.1, {}}, {{}, 5.0, 0.5}, {{}, 1.0, nan}));
+    EXPECT_TRUE(isBetter({0.1, {}}, {{}, 9.0, 0.1}, {{}, 1.0, 0.2})) << "accurate enough";
+    EXPECT_FALSE(isBetter({0.1, {}}, {{}, 0.99, 0.09}, {{}, 1.0, 0.08})) << "one per cent is chance";
+    EXPECT_TRUE(isBetter({{}, 5.0}, {{}, 4.9, 0.1}, {{}, 1.0, 0.2}));
+}
+
+/// Results with one view, from prices and errors; the first is the base, the second the thesis.
+TradeResults resultsOf(const TradeSetup& setup, const std::vector<std::pair<double, double>>& priced)
+{
+    TradeResults results;
+    for (std::size_t i = 0; i < priced.size(); ++i) {
+        PointResult result;
+        result.point = setup.plan.points[i];
+        result.mean.price.median = priced[i].first;
+        result.mean.errors.flip = priced[i].second;
+        results.points.push_back(result);
+    }
+    return results;
+}
+
+std::vector<std::size_t> picksOf(const std::vector<std::pair<double, double>>& priced, bool thesis)
+{
+    TradeSetup setup = syntheticSetup({{"refraction.steps=1:20"}, false, {}});
+    if (thesis) setup.plan.presets = {{"thesis", 1}};
+    std::vector<std::size_t> points;
+    for (const PresetPick& pick : pickPresets(setup, resultsOf(setup, priced)))
+        points.push_back(pick.point);
+    return points;
+}
+
+TEST(Presets, ArePickedFromTheFrontByTheRule)
+{
+    // The front is 2 3 4 5 6 7; prices from 1 to 64, thirds at 4 and 16.
+    const std::vector<std::pair<double, double>> priced{{70, 9}, {9, 6.5}, {1, 8},  {3, 6},
+                                                        {4, 5},  {15, 4},  {20, 3}, {64, 1}};
+    EXPECT_EQ(picksOf(priced, false), (std::vector<std::size_t>{2, 4, 5, 7}));
+    // As accurate as the thesis from 3 on; thirds of 3 to 64 are at 8.3 and 23.1.
+    EXPECT_EQ(picksOf(priced, true), (std::vector<std::size_t>{3, 4, 6, 7}));
+    EXPECT_EQ(picksOf({{2, 2}}, false), (std::vector<std::size_t>{0, 0, 0, 0}));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_CONTAINS(messageOf<Error>([&] { picksOf({{nan, 2}, {2, nan}}, false); }), "presets");
+}
+
+TEST(Presets, AreFilesThatOptionsTakes)
+{
+    const test::TempFolder folder;
+    const TradeSetup setup = syntheticSetup({{"refraction.steps=1,9", "caustics.method=cpu,fetch",
+                                              "water.grid_size=33,49", "water.absorption=0.1,0.2,0.3;1"},
+                                             false,
+                                             {}});
+    const auto at = [&](const char* label) {
+        for (const TradePoint& point : setup.plan.points)
+            if (point.label == label) return point;
+        throw Error("no {}", label);
+    };
+    const std::string text = presetText(setup, at("water.absorption=0.1,0.2,0.3"), {"measured", "here"});
+    EXPECT_EQ(text.rfind("# measured\n# here\n", 0), 0u) << text;
+    const auto file = folder.file("preset.toml", text);
+    const Settings settings = resolveSettings(Scene{}, {.files = {file}, .assignments = {}, .preset = ""});
+    EXPECT_EQ(settings.water.absorption, vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(settings.options.refraction.steps, 3);
+    EXPECT_CONTAINS(text, "method = \"fetch\"");
+}
+
+TEST(Presets, ThatComeWithTarnAreValid)
+{
+    const std::vector<std::string> names = presetNames();
+    EXPECT_EQ(names, (std::vector<std::string>{"low", "medium", "high", "best", "thesis"}));
+    for (const std::string& name : names)
+        EXPECT_NO_THROW(resolveSettings(Scene{}, {.files = {}, .assignments = {}, .preset = name})) << name;
+    const Settings thesis = resolveSettings(Scene{}, {.files = {}, .assignments = {}, .preset = "thesis"});
+    EXPECT_EQ(thesis.options.refraction.steps, 3);
+    EXPECT_EQ(thesis.options.underwater.refraction, UnderwaterOptions::Refraction::paper);
+    EXPECT_EQ(thesis.options.caustics.method, CausticsOptions::Method::points);
+    EXPECT_FLOAT_EQ(thesis.options.reflection.distance, 1.0f);
+}
+
+TEST(Presets, StandBetweenTheSceneAndTheOtherOptions)
+{
+    const test::TempFolder folder;
+    Scene scene;
+    scene.options = {{"refraction.steps", "9", "scene"}, {"frame.exposure", "0.5", "scene"}};
+    const auto file = folder.file("options.toml", "reflection.distance = 7\n");
+    const Settings settings =
+        resolveSettings(scene, {.files = {file}, .assignments = {"caustics.filter=0"}, .preset = "thesis"});
+    EXPECT_EQ(settings.options.refraction.steps, 3) << "the preset's";
+    EXPECT_FLOAT_EQ(settings.options.frame.exposure, 0.5f) << "the scene's";
+    EXPECT_FLOAT_EQ(settings.options.reflection.distance, 7.0f) << "the file's";
+    EXPECT_EQ(settings.options.caustics.filter, 0) << "the assignment's";
+    EXPECT_CONTAINS(messageOf<UsageError>(
+                        [&] { resolveSettings(scene, {.files = {}, .assignments = {}, .preset = "tesis"}); }),
+                    "did you mean thesis?");
+}
+
+} // namespace
+} // namespace tarn
