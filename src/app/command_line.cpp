@@ -299,7 +299,8 @@ std::function<Command()> defineTrade(Flags& flags)
         [&c](const std::string& text, const std::string& flag) { c.times = parseNumbers(text, flag); });
     flags.value("--size", "WxH", "Size of the pictures, pixels",
                 [&c](const std::string& text, const std::string& flag) { c.size = parseSize(text, flag); });
-    flags.count("--samples", "Frames timed of each setting", c.samples, 1, 100000);
+    flags.count("--frames", "Frames timed of each setting", c.frames, 1, 100000);
+    flags.count("--samples", "Paths through each pixel of the reference", c.samples, 1, 65536);
     flags.value("--shard", "I/N", "Measure only part I of N; --merge puts the parts together",
                 [&c](const std::string& text, const std::string& flag) {
                     std::tie(c.shard, c.shards) = parseShard(text, flag);
@@ -337,7 +338,8 @@ std::function<Command()> defineTune(Flags& flags)
     flags.value("--size", "WxH", "Size of the picture, pixels",
                 [&c](const std::string& text, const std::string& flag) { c.size = parseSize(text, flag); });
     flags.number("--time", "S", "Time of the waves, s", c.time, -1e6, 1e6);
-    flags.count("--samples", "Frames timed of each setting", c.samples, 1, 100000);
+    flags.count("--frames", "Frames timed of each setting", c.frames, 1, 100000);
+    flags.count("--samples", "Paths through each pixel of the reference", c.samples, 1, 65536);
     flags.value("--out", "FILE", "A file for --options; standard output by default",
                 [&c](const std::string& text, const std::string&) { c.out = text; });
     return [command]() -> Command {

@@ -90,7 +90,8 @@ struct TradeCommand {
     std::vector<std::string> views;      ///< names of cameras; empty: the first eight
     std::vector<double> times{0.0, 1.7}; ///< s
     ivec2 size{320, 240};                ///< pixels
-    int samples = 20;                    ///< frames timed of each setting
+    int frames = 20;                     ///< frames timed of each setting
+    int samples = 96;                    ///< of the reference, through each pixel
     int shard = 1, shards = 1;           ///< this part of so many
     std::vector<std::filesystem::path> merge;
     bool fresh = false;
@@ -105,7 +106,8 @@ struct TuneCommand {
     std::vector<std::string> cameras; ///< empty: the first four
     ivec2 size{640, 480};             ///< pixels
     double time = 0.0;                ///< s
-    int samples = 20;
+    int frames = 20;   ///< timed of each setting
+    int samples = 96;  ///< of the reference, through each pixel
     std::filesystem::path out; ///< empty: standard output
 };
 

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "optics/optics.h"
+#include "measure/display.h"
 
 #include <nlohmann/json.hpp>
 
@@ -31,19 +31,6 @@ Camera cameraLike(const Scene& scene, const std::string& name)
 {
     if (const Camera* camera = scene.findCamera(name)) return *camera;
     return scene.cameras.empty() ? Camera{} : scene.cameras.front();
-}
-
-vec3 toneMapped(const vec3& exposed, FrameOptions::ToneCurve curve)
-{
-    switch (curve) {
-    case FrameOptions::ToneCurve::linear:
-        return optics::toneLinear(exposed);
-    case FrameOptions::ToneCurve::reinhard:
-        return optics::toneReinhard(exposed);
-    case FrameOptions::ToneCurve::aces:
-        break;
-    }
-    return optics::toneAces(exposed);
 }
 
 } // namespace
@@ -83,20 +70,22 @@ void warnOfOtherScene(const reference::Picture& picture, const Scene& scene, con
         log::warning("{}: shows {}, and is compared with {}", file.string(), made->second, name);
 }
 
-Image displayPicture(const reference::Picture& picture, const FrameOptions& options)
+Image linearPicture(const reference::Picture& picture)
 {
     Image image;
     image.name = "reference";
     image.width = picture.size.x;
     image.height = picture.size.y;
     image.channels = 3;
-    image.bytes.reserve(image.size());
-    for (const vec3& radiance : picture.radiance) {
-        const vec3 shown = optics::srgbColour(toneMapped(radiance * options.exposure, options.toneCurve));
-        for (int c = 0; c < 3; ++c)
-            image.bytes.push_back(static_cast<std::uint8_t>(std::lround(shown[c] * 255.0f)));
-    }
+    image.floats.reserve(image.size());
+    for (const vec3& radiance : picture.radiance)
+        image.floats.insert(image.floats.end(), {radiance.x, radiance.y, radiance.z});
     return image;
+}
+
+Image displayPicture(const reference::Picture& picture, const FrameOptions& options)
+{
+    return displayPicture(exposedPicture(linearPicture(picture), options.exposure), options.toneCurve);
 }
 
 } // namespace tarn

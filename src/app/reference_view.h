@@ -27,6 +27,9 @@ bool isSameView(const Camera& a, const Camera& b);
 /// Says so in a warning when the header names another scene.
 void warnOfOtherScene(const reference::Picture& picture, const Scene& scene, const std::filesystem::path& file);
 
+/// Its radiance: three float channels.
+Image linearPicture(const reference::Picture& picture);
+
 /// As the viewer would show it: 8-bit sRGB, three channels.
 Image displayPicture(const reference::Picture& picture, const FrameOptions& options);
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "measure/error_map.h"
+#include "measure/heat.h"
 
 #include <nlohmann/json.hpp>
 
@@ -51,7 +52,7 @@ void writeMap(const RenderCommand& command, const Image& map, double scale,
     if (out.extension() == ".exr")
         writeImage(out, map, header, {"Y"});
     else
-        writeImage(out, heatPicture(map, scale), header);
+        writeImage(out, heatPicture(map, 0.0, scale), header);
 }
 
 nlohmann::json figuresJson(const ErrorFigures& figures)

@@ -72,6 +72,7 @@ TradeSetup setupOf(const TradeCommand& command, const Stage& stage, const std::v
     setup.about = {{"scene", stage.scene.file.filename().string()},
                    {"content", contentOf(stage.scene)},
                    {"size", fmt::format("{}x{}", command.size.x, command.size.y)},
+                   {"frames", fmt::format("{}", command.frames)},
                    {"samples", fmt::format("{}", command.samples)},
                    {"version", versionText()},
                    {"base", settingsJson(stage.settings)}};
@@ -125,7 +126,13 @@ TradeResults measure(const TradeCommand& command, const Stage& stage, const std:
 {
     const auto lab = [&] {
         TerminalProgress progress;
-        return makeTradeLab(stage, {views, command.size, command.times.front(), command.samples}, &progress);
+        return makeTradeLab(stage, {.views = views,
+                                   .size = command.size,
+                                   .time = command.times.front(),
+                                   .frames = command.frames,
+                                   .samples = command.samples,
+                                   .references = command.out / "references"},
+                            &progress);
     }();
     TerminalProgress progress; // starts counting here
     const StopOnInterrupt guard;

@@ -3,9 +3,13 @@
 #include "app/machine.h"
 #include "app/presets.h"
 #include "app/rendered_subject.h"
+#include "app/trade_truth.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "measure/flip.h"
+#include "measure/heat.h"
 #include "measure/statistics.h"
+#include "measure/water_quantities.h"
 
 #include <unistd.h>
 
@@ -81,14 +85,16 @@ Price priceOf(const BenchResult& result, const BenchResult& base)
 class RenderedLab : public TradeLab {
 public:
     RenderedLab(const Stage& stage, const LabArguments& arguments, Progress* progress)
-        : stage_(stage), arguments_(arguments), session_(stage, arguments.size, progress)
+        : stage_(stage), arguments_(arguments), session_(stage, arguments.size, progress),
+          truth_(stage, {arguments.size, arguments.samples, arguments.references})
     {}
 
     ErrorFigures errors(const TradePoint& point, std::size_t view, double time) override
     {
-        render(point, view, time);
-        // The reference's picture of this view and time, and the comparison with it, belong here.
-        throw Error("this build has no reference to measure errors against");
+        const Settings settings = settleWithoutGlow(point);
+        const Camera& camera = arguments_.views[view];
+        const WaterQuantities used = readQuantities(session_.renderer(), camera, time, arguments_.size);
+        return truth_.judge(used, camera, time, settings.options.frame);
     }
 
     std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) override
@@ -98,7 +104,7 @@ public:
         for (const TradePoint& point : points)
             subjects.push_back(
                 std::make_unique<SettledSubject>(point.label, session_, settingsOf(point), subjectView));
-        const BenchReport report = runBenchmark(subjects, {.frames = arguments_.samples, .warmUp = 2});
+        const BenchReport report = runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 2});
         std::vector<Price> prices;
         for (const BenchResult& result : report.results)
             prices.push_back(priceOf(result, report.results.front()));
@@ -107,9 +113,12 @@ public:
 
     TradePictures pictures(const TradePoint& point, std::size_t view) override
     {
-        render(point, view, arguments_.time);
-        // The reference's picture and FLIP's belong here, too.
-        return {pngOf(session_.renderer().readDisplay()), "", ""};
+        const Settings settings = settleWithoutGlow(point);
+        const Camera& camera = arguments_.views[view];
+        session_.renderer().render({camera, arguments_.time, arguments_.size});
+        const Image shown = session_.renderer().readDisplay();
+        const Image truth = truth_.display(camera, arguments_.time, settings.options.frame);
+        return {pngOf(shown), pngOf(truth), pngOf(heatPicture(flipMap(truth, shown), 0.0, 1.0))};
     }
 
     std::string machine() const override
@@ -123,16 +132,19 @@ private:
         return changedSettings(stage_.settings, point.changes, point.label);
     }
 
-    void render(const TradePoint& point, std::size_t view, double time)
+    /// Glow is an effect of the lens, which the reference has not; it is priced, but not judged.
+    Settings settleWithoutGlow(const TradePoint& point)
     {
-        const Settings settings = settingsOf(point);
+        Settings settings = settingsOf(point);
+        settings.options.glow.enabled = false;
         session_.renderer().setOptions(settings.options, settings.water);
-        session_.renderer().render({arguments_.views[view], time, arguments_.size});
+        return settings;
     }
 
     const Stage& stage_;
     LabArguments arguments_;
     Session session_;
+    TradeTruth truth_;
 };
 
 } // namespace

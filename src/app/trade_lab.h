@@ -6,6 +6,7 @@
 #include "measure/trade/lab.h"
 #include "measure/trade/plan.h"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,7 +31,9 @@ struct LabArguments {
     std::vector<Camera> views;
     ivec2 size{320, 240}; ///< pixels
     double time = 0.0;    ///< of the pictures and of the first frame that is timed, s
-    int samples = 20;     ///< frames timed of each setting
+    int frames = 20;      ///< frames timed of each setting
+    int samples = 96;     ///< of the reference, through each pixel
+    std::filesystem::path references; ///< folder that keeps the reference's pictures; empty: none does
 };
 
 /// Keeps a reference to the stage, whose settings are the base.

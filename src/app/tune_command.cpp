@@ -73,7 +73,13 @@ void run(const TuneCommand& command)
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
         request.sweeps.push_back(swept.sweep);
 
-    const auto lab = makeTradeLab(stage, {views, command.size, command.time, command.samples}, &progress);
+    const auto lab = makeTradeLab(stage, {.views = views,
+                                           .size = command.size,
+                                           .time = command.time,
+                                           .frames = command.frames,
+                                           .samples = command.samples,
+                                           .references = {}},
+                                   &progress);
     const TuneOutcome outcome = tune(request, *lab, &progress);
     requireReached(request.goal, outcome);
     const std::string text = fileText(command, stage, setup, outcome, lab->machine());

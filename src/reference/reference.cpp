@@ -247,6 +247,11 @@ Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options,
     return picture;
 }
 
+std::string Tracer::identity(const ViewRequest& view, const ReferenceOptions& options) const
+{
+    return state_->identity(view, options);
+}
+
 Picture Tracer::quantities(const ViewRequest& view, const ReferenceOptions& options, Progress* progress) const
 {
     requireSize(view.size);
@@ -263,36 +268,26 @@ Picture Tracer::quantities(const ViewRequest& view, const ReferenceOptions& opti
     return picture;
 }
 
-std::vector<std::optional<vec3>> Tracer::causticsMap(double time, const vec4& rect, int size, int photons, int seed,
-                                                     Progress* progress) const
+std::function<std::optional<vec3>(const vec2& plane)> Tracer::lightOnBed(double time, const vec4& rect, double texel,
+                                                                         int photons, int seed) const
 {
     const State& s = *state_;
-    std::vector<std::optional<vec3>> result(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-    if (!s.body.present || !s.light.hasSun()) return result;
+    if (!s.body.present || !s.light.hasSun()) return [](const vec2&) { return std::nullopt; };
+    struct Known {
+        WaterSurface water;
+        SunMap map;
+    };
     const WaterSurface water(s.body, time);
-    const double texel = 2.0 * static_cast<double>(rect.z) / size;
-    // Four texels of the map to one of the answer, added up: light is counted, not sampled.
-    constexpr int fine = 4;
-    const SunMap map(s.mapInputs(water, photons, seed), rect, texel / fine, progress);
+    const auto known =
+        std::make_shared<Known>(Known{water, SunMap(s.mapInputs(water, photons, seed), rect, texel, nullptr)});
     const dvec3 toSun = glm::normalize(dvec3(s.light.sunDirectionBelow));
-    overPixels(ivec2(size), [&](int x, int y, std::size_t index) {
-        vec3 sum(0.0f);
-        int met = 0;
-        for (int i = 0; i < fine * fine; ++i) {
-            const dvec2 plane(rect.x - rect.z + texel * (x + (i % fine + 0.5) / fine),
-                              rect.y - rect.w + texel * (y + (i / fine + 0.5) / fine));
-            if (!water.spans(plane.x, plane.y)) continue;
-            const dvec3 level(plane.x, water.level(), plane.y);
-            const auto hit = s.geometry.intersect({level, -toSun}, 0.0, 1e4, Sides::both);
-            if (!hit) continue;
-            if (const auto light = map.relativeIrradiance(level - hit->distance * toSun, texel / fine)) {
-                sum += *light;
-                ++met;
-            }
-        }
-        if (met == fine * fine) result[index] = sum / static_cast<float>(met);
-    });
-    return result;
+    return [known, toSun, texel, &s](const vec2& plane) -> std::optional<vec3> {
+        if (!known->water.spans(plane.x, plane.y)) return std::nullopt;
+        const dvec3 level(plane.x, known->water.level(), plane.y);
+        const auto hit = s.geometry.intersect({level, -toSun}, 0.0, 1e4, Sides::both);
+        if (!hit) return std::nullopt;
+        return known->map.relativeIrradiance(level - hit->distance * toSun, texel);
+    };
 }
 
 } // namespace tarn::reference

@@ -66,14 +66,19 @@ public:
     Picture render(const ViewRequest& view, const ReferenceOptions& options, Progress* progress = nullptr,
                    const Checkpoint& checkpoint = {}, TraceReport* report = nullptr) const;
 
+    /// Everything that a picture depends on but its number of samples; also its header's "tarn:reference".
+    std::string identity(const ViewRequest& view, const ReferenceOptions& options) const;
+
     /// Only the quantities (no radiance), with the sun's light under water where options.photons > 0 asks for it.
     Picture quantities(const ViewRequest& view, const ReferenceOptions& options, Progress* progress = nullptr) const;
 
-    /// The sun's light on the bed over a rectangle of the level plane (centre x, z and half extent), as
-    /// SunMap::relativeIrradiance gives it for the first thing that light along the refracted sun meets there. Rows of
-    /// `size` texels; nothing where no ground is met.
-    std::vector<std::optional<vec3>> causticsMap(double time, const vec4& rect, int size, int photons, int seed,
-                                                 Progress* progress = nullptr) const;
+    /// The sun's light on the bed below a rectangle of the level plane (centre x, z and half extent, m): for a place
+    /// (x, z) of the plane, that on the first thing which light along the refracted sun meets there, as
+    /// SunMap::relativeIrradiance. Nothing beside the rectangle and the water, or where no ground is met.
+    /// The function refers to the tracer.
+    /// @param texel over which light is counted, m
+    std::function<std::optional<vec3>(const vec2& plane)> lightOnBed(double time, const vec4& rect, double texel,
+                                                                     int photons, int seed) const;
 
 private:
     struct State;

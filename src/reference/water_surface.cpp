@@ -47,6 +47,15 @@ struct WavesAlongRay {
         }
     }
 
+    /// d height / dt
+    float slope(float t) const
+    {
+        float sum = 0.0f;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+            sum += amplitude[k] * frequency[k] * fastSin(phase[k] + frequency[k] * t + 0.5f * pi);
+        return sum;
+    }
+
     float height(float t) const
     {
         float sum[4] = {0.0f, 0.0f, 0.0f, 0.0f};
@@ -58,6 +67,21 @@ struct WavesAlongRay {
         return (sum[0] + sum[1]) + (sum[2] + sum[3]);
     }
 };
+
+/// Bisection guards Newton's method. gap > 0 at `inside` and <= 0 at `outside`.
+template <typename Gap, typename Rate> float rootBetween(float inside, float outside, const Gap& gap, const Rate& rate)
+{
+    float t = 0.5f * (inside + outside);
+    for (int i = 0; i < 30 && outside - inside > 1e-6f * std::max(outside, 1.0f); ++i) {
+        const float g = gap(t);
+        if (std::abs(g) < 1e-7f) return t;
+        (g > 0.0f ? inside : outside) = t;
+        const float r = rate(t);
+        const float newton = r != 0.0f ? t - g / r : inside;
+        t = newton > inside && newton < outside ? newton : 0.5f * (inside + outside);
+    }
+    return t;
+}
 
 /// The part of [lower, upper] in which start + t · rate stays between two values.
 void clipRange(double start, double rate, double least, double most, double& lower, double& upper)
@@ -95,7 +119,9 @@ double WaterSurface::height(double x, double z) const
 {
     if (gridSize_ > 1)
         return level_ + optics64::gridHeight(waves_.data(), static_cast<int>(waves_.size()), {x, z}, time_, rect_, gridSize_);
-    return level_ + optics64::waveHeight(waves_, {x, z}, time_);
+    double sum = level_;
+    for (const optics64::WaveTerm& w : waves_) sum += optics64::waveTerm(w, {x, z}, time_).x;
+    return sum;
 }
 
 bool WaterSurface::contains(const dvec3& point) const
@@ -103,7 +129,15 @@ bool WaterSurface::contains(const dvec3& point) const
     return spans(point.x, point.z) && point.y < height(point.x, point.z);
 }
 
-dvec3 WaterSurface::normal(double x, double z) const { return optics64::waveNormalAt(waves_, {x, z}, time_); }
+dvec3 WaterSurface::normal(double x, double z) const
+{
+    dvec2 slope(0.0);
+    for (const optics64::WaveTerm& w : waves_) {
+        const dvec3 term = optics64::waveTerm(w, {x, z}, time_);
+        slope += dvec2(term.y, term.z);
+    }
+    return optics64::waveNormal(slope);
+}
 
 double WaterSurface::heightAbove(const dvec3& point) const { return point.y - height(point.x, point.z); }
 
@@ -132,9 +166,11 @@ std::optional<double> WaterSurface::intersect(const Ray& ray, double tMin, doubl
     bool isInside = false;
     for (float t = 0.0f, last = 0.0f; last < reach; t = std::min(t, reach)) {
         const float gap = sign * (offset + slope * t - waves.height(t));
-        if (gap <= 0.0f && isInside)
-            if (const auto found = refine(ray, lower + static_cast<double>(last), lower + static_cast<double>(t), side))
-                return found;
+        if (gap <= 0.0f && isInside) {
+            const auto gapAt = [&](float x) { return sign * (offset + slope * x - waves.height(x)); };
+            const auto rateAt = [&](float x) { return sign * (slope - waves.slope(x)); };
+            return polish(ray, lower + static_cast<double>(rootBetween(last, t, gapAt, rateAt)), side);
+        }
         isInside = gap > 0.0f;
         last = t;
         t += std::max(gap / bound, leastStep);
@@ -142,25 +178,20 @@ std::optional<double> WaterSurface::intersect(const Ray& ray, double tMin, doubl
     return std::nullopt;
 }
 
-/// Bisection guards Newton's method. `inside`: still in the ray's medium; `outside`: beyond the surface.
-std::optional<double> WaterSurface::refine(const Ray& ray, double inside, double outside, double side) const
+/// One step of Newton's method in double precision: single precision leaves a few micrometres.
+double WaterSurface::polish(const Ray& ray, double t, double side) const
 {
-    const auto gapAt = [&](double t) { return side * heightAbove(ray.origin + t * ray.direction); };
-    // The march works in single precision: what it saw may be its rounding.
-    if (gapAt(outside) > 0.0) return std::nullopt;
-    if (gapAt(inside) <= 0.0) return inside;
-    double t = 0.5 * (inside + outside);
-    for (int i = 0; i < 60 && outside - inside > 1e-7; ++i) {
-        const dvec3 p = ray.origin + t * ray.direction;
-        const optics64::WaveSample wave = optics64::waveAt(waves_, {p.x, p.z}, time_);
-        const double gap = side * (p.y - level_ - wave.height);
-        if (std::abs(gap) < 1e-10) return t;
-        (gap > 0.0 ? inside : outside) = t;
-        const double rate = side * (ray.direction.y - wave.slope.x * ray.direction.x - wave.slope.y * ray.direction.z);
-        const double newton = rate != 0.0 ? t - gap / rate : inside;
-        t = newton > inside && newton < outside ? newton : 0.5 * (inside + outside);
+    const dvec3 p = ray.origin + t * ray.direction;
+    double gap = p.y - level_, rate = ray.direction.y;
+    for (const optics64::WaveTerm& w : waves_) {
+        const dvec3 term = optics64::waveTerm(w, {p.x, p.z}, time_);
+        gap -= term.x;
+        rate -= term.y * ray.direction.x + term.z * ray.direction.z;
     }
-    return t;
+    // Where the ray grazes the surface the step has no bound, and there is nothing to gain.
+    if (side * rate > -1e-3) return t;
+    const double step = -gap / rate;
+    return std::abs(step) < 1e-3 ? t + step : t;
 }
 
 /// Along a ray the grid's height is a line between the edges of its triangles: walk from edge to edge.

@@ -28,7 +28,7 @@ public:
 
     /// Distance to the first place where a ray leaves its medium through the surface, with tMin < t < tMax: exact to
     /// 1e-5 m. The surface is a function of x and z that changes by less than Σ A k per metre, so that steps of
-    /// distance / that bound cannot pass it (sphere tracing, Hart 1996); bracketed Newton ends the search.
+    /// distance / that bound cannot pass it (sphere tracing, Hart 1996); bracketed Newton's method ends the search.
     /// @param fromAbove the ray starts in the air
     std::optional<double> intersect(const Ray& ray, double tMin, double tMax, bool fromAbove) const;
 
@@ -39,7 +39,7 @@ public:
 
 private:
     double heightAbove(const dvec3& point) const;
-    std::optional<double> refine(const Ray& ray, double inside, double outside, double side) const;
+    double polish(const Ray& ray, double t, double side) const;
     std::optional<double> intersectGrid(const Ray& ray, double tMin, double tMax, double side) const;
 
     std::vector<optics64::WaveTerm> waves_;

@@ -212,7 +212,7 @@ TEST(CommandLine, Trade)
     EXPECT_EQ(d.shards, 1);
     const auto c = parsed<TradeCommand>({"trade", "s.toml", "--out", "o", "--sweep", "refraction.steps=1:8", "--sweep",
                                          "caustics.filter=0:2", "--grid", "--views", "pier,bed", "--times", "0.5",
-                                         "--size", "64x48", "--samples", "7", "--shard", "2/4", "--fresh", "--preset",
+                                         "--size", "64x48", "--frames", "9", "--samples", "7", "--shard", "2/4", "--fresh", "--preset",
                                          "thesis"});
     EXPECT_EQ(c.sweeps.size(), 2u);
     EXPECT_TRUE(c.grid && c.fresh);

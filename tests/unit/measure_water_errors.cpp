@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "measure/error_map.h"
+#include "measure/heat.h"
 #include "measure/water_errors.h"
 
 #include <gtest/gtest.h>
@@ -318,7 +319,7 @@ TEST(ErrorMap, ItsColoursGrowBrighterAndGreyIsUnknown)
     for (int i = 0; i <= 10; ++i)
         map.floats.push_back(0.05f * static_cast<float>(i));
     map.floats.push_back(std::numeric_limits<float>::quiet_NaN());
-    const Image picture = heatPicture(map, 0.5);
+    const Image picture = heatPicture(map, 0.0, 0.5);
     ASSERT_EQ(picture.bytes.size(), 36u);
     const auto brightness = [&](std::size_t pixel) {
         return 2 * picture.bytes[3 * pixel] + 7 * picture.bytes[3 * pixel + 1] + picture.bytes[3 * pixel + 2];
@@ -326,7 +327,7 @@ TEST(ErrorMap, ItsColoursGrowBrighterAndGreyIsUnknown)
     for (std::size_t pixel = 1; pixel <= 10; ++pixel)
         EXPECT_GT(brightness(pixel), brightness(pixel - 1));
     EXPECT_LT(brightness(0), 20);
-    EXPECT_EQ(heatPicture(map, 0.01).bytes[3 * 10], picture.bytes[3 * 10]); // beyond the end is the end
+    EXPECT_EQ(heatPicture(map, 0.0, 0.01).bytes[3 * 10], picture.bytes[3 * 10]); // beyond the end is the end
     EXPECT_EQ(picture.bytes[33], picture.bytes[34]);
     EXPECT_EQ(picture.bytes[33], picture.bytes[35]);
 }

@@ -1,6 +1,7 @@
 #include "app/viewer/comparison.h"
 
 #include "base/error.h"
+#include "measure/heat.h"
 
 #include <imgui.h>
 
@@ -43,7 +44,7 @@ void drawRightOf(float from, const gl::Texture& texture)
 /// The map's colours, with nothing where nothing is known, so that the live picture stays.
 std::vector<std::uint8_t> transparentHeat(const Image& map, double scale)
 {
-    const Image heat = heatPicture(map, scale);
+    const Image heat = heatPicture(map, 0.0, scale);
     std::vector<std::uint8_t> bytes;
     bytes.reserve(4 * map.floats.size());
     for (std::size_t pixel = 0; pixel < map.floats.size(); ++pixel) {
