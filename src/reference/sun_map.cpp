@@ -24,6 +24,10 @@ constexpr double layerHeight = 0.15;
 constexpr double finestTexel = 0.005, coarsestTexel = 0.08;
 constexpr int mapLevels = 5; // each of twice the texel
 
+/// Photons that a texel of even light must have at least: with fewer, the lattice of the photons would show.
+constexpr double photonsPerTexel = 24.0;
+constexpr double mostTexels = 6.0e6; ///< of a map
+
 int levelOf(double footprint)
 {
     const double steps = std::log2(std::clamp(footprint, finestTexel, coarsestTexel) / finestTexel);
@@ -59,28 +63,34 @@ SunMap::SunMap(const Inputs& inputs, const std::vector<LightQuery>& queries, Pro
         extent.lower = glm::min(extent.lower, at);
         extent.upper = glm::max(extent.upper, at);
     }
+    // First the rectangles, so that photons can be shared out; then texels as coarse as the photons ask for.
     std::vector<double> shares;
+    std::vector<dvec2> edges;
+    double sum = 0.0;
     for (int level = 0; level < mapLevels; ++level) {
         const Extent& extent = extents[static_cast<std::size_t>(level)];
         if (extent.lower.x > extent.upper.x) continue;
         Map map;
         map.texel = finestTexel * std::exp2(level);
-        // Room for what lies between the queries. No map has more texels than memory; a coarser one must do there.
+        // Room for what lies between the queries.
         const dvec2 room(8.0 * map.texel + 0.05 * (extent.upper - extent.lower));
         map.lower = glm::max(extent.lower - room, inputs.water.lower() - 2.0);
-        const dvec2 upper = glm::min(extent.upper + room, inputs.water.upper() + 2.0);
-        if (!(map.lower.x < upper.x && map.lower.y < upper.y)) continue;
-        constexpr double mostTexels = 6.0e6;
-        const dvec2 edge = upper - map.lower;
-        map.texel = std::max(map.texel, std::sqrt(edge.x * edge.y / mostTexels));
-        map.size = ivec2(glm::ceil(edge / map.texel)) + 1;
-        shares.push_back(std::max(static_cast<double>(map.size.x) * map.size.y, 2.5e5));
+        const dvec2 edge = glm::min(extent.upper + room, inputs.water.upper() + 2.0) - map.lower;
+        if (!(edge.x > 0.0 && edge.y > 0.0)) continue;
+        edges.push_back(edge);
+        shares.push_back(std::max(edge.x * edge.y / (map.texel * map.texel), 2.5e5));
+        sum += shares.back();
         maps_.push_back(std::move(map));
     }
-    double sum = 0.0, done = 0.0;
-    for (const double share : shares) sum += share;
+    double done = 0.0;
     for (std::size_t i = 0; i < maps_.size(); ++i) {
-        trace(inputs, maps_[i], static_cast<std::size_t>(inputs.photons * shares[i] / sum), [&](double part) {
+        const auto photons = static_cast<std::size_t>(inputs.photons * shares[i] / sum);
+        Map& map = maps_[i];
+        const double area = edges[i].x * edges[i].y;
+        map.texel = std::max({map.texel, std::sqrt(area * photonsPerTexel / static_cast<double>(std::max<std::size_t>(photons, 1))),
+                              std::sqrt(area / mostTexels)});
+        map.size = ivec2(glm::ceil(edges[i] / map.texel)) + 1;
+        trace(inputs, map, photons, [&](double part) {
             if (progress) progress->report((done + part * shares[i]) / sum, "tracing photons");
         });
         done += shares[i];

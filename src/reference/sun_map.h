@@ -40,7 +40,7 @@ public:
     SunMap() = default;
 
     /// Traces photons where the queries need them: several maps, each with texels as fine as the pixels that look
-    /// there (5 mm to 8 cm). Deterministic for a seed whatever the number of threads.
+    /// there (5 mm to 8 cm), or as the photons allow. Deterministic for a seed whatever the number of threads.
     SunMap(const Inputs& inputs, const std::vector<LightQuery>& queries, Progress* progress);
 
     /// One map with texels of a given size over a rectangle of the level plane (centre x, z and half extent): for
