@@ -23,13 +23,20 @@ uniform float refractionDistance; // m of eq. 13
 #endif
 #ifdef REFLECTION
 uniform sampler2D reflectionColour;
+#ifdef ITERATIVE_REFLECTION
+uniform mat4 reflectionViewFromWorld;
+uniform int reflectionSteps;
+#else
 uniform mat4 reflectionClipFromWorld;
 uniform float reflectionDistance; // c of eq. 6
-#if DEBUG_VIEW == 7
+#endif
+#if DEBUG_VIEW == 7 || defined(ITERATIVE_REFLECTION)
 uniform sampler2D reflectionDepth;
 uniform mat4 reflectionClipFromView;
-uniform mat4 worldFromReflectionView;
 uniform vec2 reflectionNearFar;
+#endif
+#if DEBUG_VIEW == 7
+uniform mat4 worldFromReflectionView;
 #endif
 #endif
 uniform float schlickExponent; // q of eq. 7
@@ -135,10 +142,31 @@ vec3 lookupAir(vec3 refracted, out vec3 hit, out float share)
 #endif
 
 #ifdef REFLECTION
+#ifdef ITERATIVE_REFLECTION
+// Section 7.1 in the mirrored camera's view space: where the reflected ray meets what that camera sees.
+vec2 reflectionTexelAt(vec3 w) { return texelOf(reflectionClipFromView * vec4(w, 1.0)); }
+
+float reflectionZ(vec3 w)
+{
+    float depth = texture(reflectionDepth, reflectionTexelAt(w)).r;
+    return viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
+}
+
+vec2 reflectionTexel(vec3 reflected)
+{
+    vec3 u = (reflectionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
+    u.z = min(u.z, -1.0e-3);
+    vec3 r = normalize(mat3(reflectionViewFromWorld) * reflected);
+    IntersectionState s = intersectionBegin(u, r, seenThrough(u, reflectionZ(u)));
+    for (int i = 1; i < reflectionSteps; ++i) s = intersectionStep(s, reflectionZ(s.W));
+    return reflectionTexelAt(s.best); // the sky is a place like any other, on the far plane
+}
+#else
 vec2 reflectionTexel(vec3 reflected)
 {
     return texelOf(reflectionClipFromWorld * vec4(surfaceW + reflectionDistance * reflected, 1.0));
 }
+#endif
 #endif
 
 #if DEBUG_VIEW == 7
@@ -172,6 +200,65 @@ vec3 reflectedRadiance(vec3 reflected)
 #endif
 }
 
+#ifndef UNDERWATER
+float reflectance(float cosine)
+{
+#ifdef EXACT_FRESNEL
+    return fresnelExact(cosine, 1.0 / ior);
+#else
+    return fresnelSchlick(cosine, ior, schlickExponent);
+#endif
+}
+
+vec3 reflectedFrom(vec3 normal, vec3 toEye)
+{
+    vec3 reflected = reflectRay(-toEye, normal);
+    reflected.y = abs(reflected.y); // what a steep wave mirrors of the water is mirrored there once more
+    return reflected;
+}
+
+// Reflectance, and the radiance that the surface mirrors, both of a pixel.
+//
+// FACETS: waves that a pixel cannot show still tilt its surface. Their slopes along the line of sight, which is where
+// they matter (a grazing view sees the facets that lean towards it, so that far water mirrors more of the sky and less
+// of the shore), are normal; a Gauss-Hermite rule of 3 or 5 of them stands for all. Each counts with the area that the
+// eye sees of it, as in the masked slopes of Ross et al. 2005.
+vec3 mirroredTowards(vec3 toEye, Surface surface, out float fresnel)
+{
+    fresnel = reflectance(max(dot(toEye, surface.normal), 0.0)); // E·N; a crest's far side is seen edge-on
+#ifdef FACETS
+#if FACETS == 3
+    const vec2 rule[3] = vec2[3](vec2(0.0, 0.6666667), vec2(1.7320508, 0.1666667), vec2(-1.7320508, 0.1666667));
+#else
+    const vec2 rule[5] = vec2[5](vec2(0.0, 0.5333333), vec2(1.3556262, 0.2220759), vec2(-1.3556262, 0.2220759),
+                                 vec2(2.8569700, 0.0112574), vec2(-2.8569700, 0.0112574));
+#endif
+    float deviation = sqrt(max(surface.roughness - sunRoughness * sunRoughness, 0.0));
+    if (deviation > 0.003) { // below this all facets mirror the same texel
+        vec2 slope = -surface.normal.xz / surface.normal.y;
+        vec2 across = normalize(toEye.xz + vec2(1.0e-6, 0.0));
+        vec3 sum = vec3(0.0);
+        float shares = 0.0, weights = 0.0;
+        for (int i = 0; i < FACETS; ++i) {
+            vec3 n = waveNormal(slope + rule[i].x * deviation * across);
+            float facing = dot(toEye, n);
+            if (facing <= 0.0) continue;
+            float weight = rule[i].y * facing / n.y;
+            float share = weight * reflectance(facing);
+            sum += share * reflectedRadiance(reflectedFrom(n, toEye));
+            shares += share;
+            weights += weight;
+        }
+        if (weights > 0.0) {
+            fresnel = shares / weights;
+            return sum / weights;
+        }
+    }
+#endif
+    return fresnel * reflectedRadiance(reflectedFrom(surface.normal, toEye));
+}
+#endif
+
 #ifdef UNDERWATER
 void main()
 {
@@ -201,10 +288,9 @@ void main()
 {
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
-    float cosine = max(dot(toEye, surface.normal), 0.0); // E·N; a crest's far side is seen edge-on
-    float fresnel = fresnelSchlick(cosine, ior, schlickExponent);
-    vec3 reflected = reflectRay(-toEye, surface.normal);
-    reflected.y = max(reflected.y, 0.0); // a steep wave would mirror the water itself; the horizon is nearest
+    vec3 reflected = reflectedFrom(surface.normal, toEye);
+    float fresnel;
+    vec3 mirrored = mirroredTowards(toEye, surface, fresnel);
 
 #ifdef REFRACTION
     Transmitted transmitted = lookupBed(refractRay(-toEye, surface.normal, 1.0 / ior));
@@ -216,9 +302,9 @@ void main()
     vec3 hit = surfaceW;
     float path = 0.0;
 #endif
-    vec3 radiance = fresnel * reflectedRadiance(reflected) + radianceThroughSurface(1.0 - fresnel, ior) * below;
+    vec3 radiance = mirrored + radianceThroughSurface(1.0 - fresnel, ior) * below;
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
-    float glintFresnel = fresnelSchlick(max(dot(toEye, normalize(toEye + sunDirection)), 0.0), ior, schlickExponent);
+    float glintFresnel = reflectance(max(dot(toEye, normalize(toEye + sunDirection)), 0.0));
     radiance += sunGlint(sunIrradiance, glintFresnel, surface.normal, toEye, sunDirection, surface.roughness);
 #endif
 

@@ -13,6 +13,9 @@ constexpr std::array toneCurveNames{"linear", "reinhard", "aces"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative"};
 constexpr std::array refractionCameraNames{"main", "snell"};
+constexpr std::array fresnelNames{"schlick", "exact"};
+constexpr std::array reflectionMethodNames{"distance", "iterative"};
+constexpr std::array facetsNames{"one", "three", "five"};
 constexpr std::array causticsMethodNames{"cpu", "points", "fetch", "mesh"};
 constexpr std::array underwaterRefractionNames{"paper", "exact"};
 constexpr std::array depthFormatNames{"depth16", "depth24", "depth32f"};
@@ -35,6 +38,8 @@ void visit(FieldVisitor& v, WaterOptions& o)
     v.field(
         {"filter_waves", "Fade waves that are shorter than a pixel into the roughness of the sun's glint"},
         o.filterWaves);
+    v.choice({"fresnel", "Reflectance seen from above: exact, or by Schlick's formula as published"}, o.fresnel,
+             fresnelNames);
     v.field({"schlick_exponent", "q of Schlick's Fresnel (Mihalik 2008, eq. 7)", "", 0.5, 20.0},
             o.schlickExponent);
     v.field({"sun_roughness", "Deviation of the slope of waves too small to model: width of the sun's glint",
@@ -66,6 +71,12 @@ void visit(FieldVisitor& v, RefractionOptions& o)
 void visit(FieldVisitor& v, ReflectionOptions& o)
 {
     v.field({"enabled", "Mirror the scene above the water; off mirrors the sky only"}, o.enabled);
+    v.choice({"method", "How the mirrored point is found: at a distance along the ray as published, or by the "
+                        "intersection of section 7.1 in the mirrored picture's depth"},
+             o.method, reflectionMethodNames);
+    v.field({"steps", "Steps of that intersection", "steps", 1, 64}, o.steps);
+    v.choice({"facets", "Slopes that stand for the waves too small for a pixel; each mirrors on its own"}, o.facets,
+             facetsNames);
     v.field({"distance", "c of W = U + cR: how far along the reflected ray the picture is taken (eq. 6)", "m",
              0.0, 100.0},
             o.distance);

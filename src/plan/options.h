@@ -17,10 +17,12 @@ struct FrameOptions {
 
 struct WaterOptions {
     enum class Normals { pixel, vertex };
+    enum class Fresnel { schlick, exact };
     bool enabled = true;
     int gridSize = 49;
     Normals normals = Normals::pixel;
     bool filterWaves = true;
+    Fresnel fresnel = Fresnel::exact;
     float schlickExponent = 5.0f;
     float sunRoughness = 0.02f;
 };
@@ -42,7 +44,12 @@ struct RefractionOptions {
 };
 
 struct ReflectionOptions {
+    enum class Method { distance, iterative };
+    enum class Facets { one, three, five };
     bool enabled = true;
+    Method method = Method::iterative;
+    int steps = 4;
+    Facets facets = Facets::three;
     float distance = 1.0f; ///< c of eq. 6
     int targetSize = 512;
     float clipOffset = 0.1f;

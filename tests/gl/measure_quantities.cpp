@@ -90,8 +90,12 @@ TEST(Quantities, OfStillWaterAreTheFormulas)
     EXPECT_LT(figures.refractionP95, 0.05);
     EXPECT_LT(figures.refractionWrongTexel, 0.01);
     EXPECT_LT(figures.reflectionMax, 0.2);
-    EXPECT_LT(figures.fresnelMax, 0.065); // what Schlick costs
-    EXPECT_GT(figures.fresnelMax, 0.01);
+    EXPECT_LT(figures.fresnelMax, 1e-5);
+    options.water.fresnel = WaterOptions::Fresnel::schlick;
+    stage.renderer.setOptions(options, scene.water);
+    const ErrorFigures bySchlick = errorFigures(readQuantities(stage.renderer, camera, 0.0, pictureSize), truth);
+    EXPECT_LT(bySchlick.fresnelMax, 0.065);
+    EXPECT_GT(bySchlick.fresnelMax, 0.01);
     EXPECT_LT(figures.pathMedian, 0.005);
     const WaterAgreement agreement = waterAgreement(used, truth);
     EXPECT_EQ(agreement.onlyTruth, 0u);

@@ -19,7 +19,7 @@ name = "The lake"
 [options]
 frame.exposure = 0.065
 refraction.steps = 6
-reflection.distance = 4.0
+reflection.facets = "five"
 glow.strength = 0.3
 
 [sun]

@@ -21,6 +21,13 @@ int debugCode(DebugView view)
     }
 }
 
+/// Whether the mirrored point is found in the mirrored picture's depth.
+bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
+{
+    return inputs.reflection && !inputs.underwater &&
+           options.reflection.method == ReflectionOptions::Method::iterative;
+}
+
 } // namespace
 
 gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
@@ -35,6 +42,10 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (options.refraction.method == RefractionOptions::Method::iterative) defines.emplace_back("ITERATIVE", "1");
     if (options.water.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
+    if (options.water.fresnel == WaterOptions::Fresnel::exact) defines.emplace_back("EXACT_FRESNEL", "1");
+    if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
+    if (!inputs.underwater && options.reflection.facets != ReflectionOptions::Facets::one)
+        defines.emplace_back("FACETS", options.reflection.facets == ReflectionOptions::Facets::three ? "3" : "5");
     auto& program = programs_[defines];
     if (!program) program = shaders_.program("water", "passes/water.vert", "passes/water.frag", defines);
     return *program;
@@ -49,7 +60,8 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
     p.use();
     p.texture("skyMap", inputs.skyMap);
     if (inputs.waterline) p.texture("waterline", *inputs.waterline);
-    p.set("schlickExponent", options.water.schlickExponent);
+    if (options.water.fresnel == WaterOptions::Fresnel::schlick || inputs.underwater)
+        p.set("schlickExponent", options.water.schlickExponent);
     if (inputs.refraction) {
         const View& view = *inputs.refractionView;
         p.texture("refractionColour", inputs.refraction->colour());
@@ -64,14 +76,23 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
     if (inputs.reflection) {
         p.texture("reflectionColour", inputs.reflection->colour());
         const View& view = *inputs.reflectionView;
-        p.set("reflectionClipFromWorld", view.clipFromWorld());
-        p.set("reflectionDistance", inputs.underwater ? options.underwater.distance : options.reflection.distance);
-        if (inputs.view == DebugView::reflectionHit) {
+        const bool searches = searchesReflection(options, inputs);
+        if (!searches) {
+            p.set("reflectionClipFromWorld", view.clipFromWorld());
+            p.set("reflectionDistance",
+                  inputs.underwater ? options.underwater.distance : options.reflection.distance);
+        }
+        if (searches || inputs.view == DebugView::reflectionHit) {
             p.texture("reflectionDepth", inputs.reflection->depth());
             p.set("reflectionClipFromView", view.clipFromView);
-            p.set("worldFromReflectionView", glm::inverse(view.viewFromWorld));
             p.set("reflectionNearFar", vec2(view.nearPlane, view.farPlane));
         }
+        if (searches) {
+            p.set("reflectionViewFromWorld", view.viewFromWorld);
+            p.set("reflectionSteps", options.reflection.steps);
+        }
+        if (inputs.view == DebugView::reflectionHit)
+            p.set("worldFromReflectionView", glm::inverse(view.viewFromWorld));
     }
     grid.draw(options.water.gridSize, stats);
 }
