@@ -1,5 +1,8 @@
 // Static geometry, for every view of it (scene, refraction and reflection passes).
 #include "shared/blocks.glsl"
+#ifdef FLAT_WATER
+#include "shared/refraction.glsl"
+#endif
 
 layout(location = 0) in vec3 positionM;
 layout(location = 1) in vec3 normalM;
@@ -28,7 +31,11 @@ void main()
 #endif
     uv = uvM;
     tint = colourM.rgb;
+#ifdef FLAT_WATER
+    gl_Position = clipFromWorld * vec4(flatApparent(eye, position.xyz, waterLevel, ior), 1.0);
+#else
     gl_Position = clipFromWorld * position;
+#endif
 #ifdef CLIP
     gl_ClipDistance[0] = dot(clipPlane, position);
 #endif

@@ -65,11 +65,36 @@ float refractionZ(vec3 positionR)
     return viewZFromDepth(depth, refractionNearFar.x, refractionNearFar.y);
 }
 
+#ifdef FLAT_CAMERA
+// The target shows what a flat surface would: a point is looked up where it would seem to be, and a texel's point is
+// the one that would seem to be there.
+vec2 flatTexel(vec3 pointW)
+{
+    vec3 seen = flatApparent(eye, pointW, waterLevel, ior);
+    return refractionTexel((refractionViewFromWorld * vec4(seen, 1.0)).xyz);
+}
+
+vec3 seenFlat(vec3 pointW)
+{
+    vec2 texel = flatTexel(pointW);
+    float z = viewZFromDepth(texture(refractionDepth, texel).r, refractionNearFar.x, refractionNearFar.y);
+    vec2 tangent = (2.0 * texel - 1.0) / vec2(refractionClipFromView[0][0], refractionClipFromView[1][1]);
+    vec3 seen = (worldFromRefractionView * vec4(vec3(-tangent, 1.0) * z, 1.0)).xyz;
+    return flatTrue(eye, seen, waterLevel, ior);
+}
+#endif
+
 #if DEBUG_VIEW == 6
 // The point whose picture is taken for W's, world: what the target shows at W's pixel. Alpha: 1, or 1/2 where that is no
 // valid sample: W is behind the camera or beside its target, or the target is empty there.
 vec4 shownFor(vec3 hitW)
 {
+#ifdef FLAT_CAMERA
+    vec2 place = flatTexel(hitW);
+    bool holds = all(greaterThanEqual(place, vec2(0.0))) && all(lessThanEqual(place, vec2(1.0))) &&
+                 texture(refractionDepth, place).r < 1.0;
+    return vec4(seenFlat(hitW), holds ? 1.0 : 0.5);
+#endif
     vec3 w = (refractionViewFromWorld * vec4(hitW, 1.0)).xyz;
     vec2 texel = refractionTexel(w);
     bool inside = all(greaterThanEqual(texel, vec2(0.0))) && all(lessThanEqual(texel, vec2(1.0)));
@@ -79,7 +104,34 @@ vec4 shownFor(vec3 hitW)
 }
 #endif
 
-#ifndef UNDERWATER
+#ifdef FLAT_CAMERA
+// Section 7.1 in world space. Points are written (x, z, y), so that the third coordinate, which intersection.glsl
+// compares, is the height: a refracted ray only goes down, and what lies lower is behind.
+Transmitted lookupBed(vec3 refracted)
+{
+    vec3 u = surfaceW.xzy;
+    vec3 r = refracted.xzy;
+    vec3 seen = seenFlat(surfaceW).xzy;
+    vec3 hit = u;
+    if (seen.z < u.z) { // else the bed stands out of the wave here
+#ifdef ITERATIVE
+        IntersectionState s = intersectionBegin(u, r, seen);
+        // The picture is nearly that of the ray: the first approximation is worth a look from the start.
+        for (int i = 1; i < refractionSteps; ++i) s = intersectionStepSeen(s, seenFlat(s.W.xzy).xzy);
+        hit = refractionSteps > 1 ? s.best : s.W;
+        seen = refractionSteps > 1 ? s.bestA : seen;
+#else
+        hit = planarIntersection(u, r, seen);
+#endif
+    }
+    Transmitted t;
+    t.hitW = hit.xzy;
+    t.path = distance(seen, u);
+    vec3 bed = texture(refractionColour, flatTexel(t.hitW)).rgb;
+    t.radiance = radianceThroughWater(bed, deepRadiance, beerLambert(absorption, t.path)); // eq. 5
+    return t;
+}
+#elif !defined(UNDERWATER)
 // Section 7.1 in the refraction camera's view space, whose eye is the origin.
 Transmitted lookupBed(vec3 refracted)
 {

@@ -79,3 +79,57 @@ SHARED float radianceThroughSurface(float transmittance, float ior)
 {
     return transmittance / (ior * ior);
 }
+
+// --- What an eye over flat water sees ------------------------------------------------------------------------------
+
+// How far a ray from the eye to a point under flat water goes sideways in the water.
+// eyeHeight: h over the surface; depth: d under it; across: r, horizontal; m.
+//
+// With u the tangent of the ray's angle in the air, Snell's law makes it h u + d u / sqrt(n² + (n² - 1) u²) = r. The left
+// side rises and is concave, so that Newton's method climbs to the root from any start below it; both starts are such,
+// one close where the view is steep, the other where it is flat.
+SHARED float flatSidestep(float eyeHeight, float depth, float across, float ior)
+{
+    float excess = ior * ior - 1.0;
+    float u = across / (eyeHeight + depth / ior);
+    if (excess > 1.0e-6) u = max(u, (across - depth / sqrt(excess)) / eyeHeight);
+    for (int i = 0; i < 5; ++i) {
+        float root2 = ior * ior + excess * u * u;
+        float root = sqrt(root2);
+        float slope = eyeHeight + depth * ior * ior / (root2 * root);
+        u += (across - eyeHeight * u - depth * u / root) / slope;
+    }
+    return depth * u / sqrt(ior * ior + excess * u * u);
+}
+
+// Where a point under flat water seems to be: in the direction that its light comes from, as far away as the light has
+// come. What is hidden stays hidden, since all of a bent ray becomes one straight line with its order kept. Points that
+// are not under water stay. World space; the eye must be above the level.
+SHARED vec3 flatApparent(vec3 eye, vec3 point, float level, float ior)
+{
+    float depth = level - point.y;
+    float eyeHeight = max(eye.y - level, 1.0e-3);
+    if (depth <= 0.0) return point;
+    vec2 away = vec2(point.x - eye.x, point.z - eye.z);
+    float across = length(away);
+    float sidestep = flatSidestep(eyeHeight, depth, across, ior);
+    float x = across - sidestep;
+    vec2 side = away / max(across, 1.0e-6);
+    vec3 toSurface = vec3(side.x * x, -eyeHeight, side.y * x);
+    float inAir = length(toSurface);
+    float inWater = sqrt(sidestep * sidestep + depth * depth);
+    return eye + toSurface * ((inAir + inWater) / inAir);
+}
+
+// The inverse: the point that seems to be at `seen`.
+SHARED vec3 flatTrue(vec3 eye, vec3 seen, float level, float ior)
+{
+    if (seen.y >= level) return seen;
+    float eyeHeight = max(eye.y - level, 1.0e-3);
+    vec3 way = seen - eye;
+    float far = length(way);
+    vec3 direction = way / far;
+    float inAir = eyeHeight / max(-direction.y, 1.0e-7);
+    vec3 bent = refractRay(direction, vec3(0.0, 1.0, 0.0), 1.0 / ior);
+    return eye + inAir * direction + max(far - inAir, 0.0) * bent;
+}

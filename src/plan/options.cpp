@@ -12,7 +12,7 @@ namespace
 constexpr std::array toneCurveNames{"linear", "reinhard", "aces"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative"};
-constexpr std::array refractionCameraNames{"main", "snell"};
+constexpr std::array refractionCameraNames{"main", "snell", "flat"};
 constexpr std::array fresnelNames{"schlick", "exact"};
 constexpr std::array reflectionMethodNames{"distance", "iterative"};
 constexpr std::array facetsNames{"one", "three", "five"};
@@ -54,7 +54,8 @@ void visit(FieldVisitor& v, RefractionOptions& o)
              o.method, refractionMethodNames);
     v.field({"steps", "Steps of the iterative intersection (Mihalik 2008, section 7.1)", "steps", 1, 64},
             o.steps);
-    v.choice({"camera", "Camera of the refraction target: the main one, or turned by Snell's law (eq. 1-2)"},
+    v.choice({"camera", "Camera of the refraction target: the main one, turned by Snell's law (eq. 1-2), or the main one "
+                        "through a flat surface"},
              o.camera, refractionCameraNames);
     v.field({"target_size", "Edge of the square refraction target", "pixels", 16, 4096}, o.targetSize);
     v.choice({"depth", "Depth format of the refraction target"}, o.depth, depthFormatNames);

@@ -31,7 +31,7 @@ enum class DepthFormat { depth16, depth24, depth32f };
 
 struct RefractionOptions {
     enum class Method { planar, iterative };
-    enum class CameraMode { main, snell };
+    enum class CameraMode { main, snell, flat };
     bool enabled = true;
     Method method = Method::iterative;
     int steps = 3;

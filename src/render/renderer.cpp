@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "gl/workarounds.h"
+#include "render/bed_detail.h"
 #include "render/bindings.h"
 #include "render/frame_light.h"
 #include "render/passes/caustics.h"
@@ -21,6 +22,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace tarn {
 
@@ -83,6 +85,8 @@ struct Renderer::State {
     GpuScene gpuScene;
     ScenePainter painter;
     Bounds bounds; ///< of the scene, world space
+    float bedEdge = 0.0f; ///< m; of the triangles under water
+    bool saidCoarse = false; ///< that they are too large for refraction.camera = flat
 
     gl::UniformBuffer<blocks::FrameBlock> frameBlock =
         uniformBuffer<blocks::FrameBlock>(BlockIndex::frame, "frame block");
@@ -124,6 +128,7 @@ struct Renderer::State {
     CausticsRegion region;
     PaintStyle lit; ///< what of the sun's light the passes look up
 
+    void takeOptions(const Options& wanted, const WaterBody& body);
     void beginFrame(const FrameInput& input);
     void beginSunlight(const FrameInput& input);
     void drawSunlight();
@@ -160,6 +165,8 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     state_->painter.prepare(main, false);
     if (watery) state_->painter.prepare(lit, true);
     state_->bounds = worldBounds(scene);
+    state_->bedEdge = coarseEdgeUnderWater(scene, scene.water);
+    state_->takeOptions(options, scene.water);
 }
 
 Renderer::~Renderer() = default;
@@ -168,8 +175,21 @@ void Renderer::setOptions(const Options& options, const WaterBody& water)
 {
     if (anisotropyFor(options.frame) != anisotropyFor(state_->options.frame))
         state_->gpuScene.setAnisotropy(anisotropyFor(options.frame));
-    state_->options = options;
-    state_->water = water;
+    state_->takeOptions(options, water);
+}
+
+void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
+{
+    if (body.level != water.level || body.extent != water.extent || body.centre != water.centre)
+        bedEdge = coarseEdgeUnderWater(scene, body);
+    options = wanted;
+    water = body;
+    if (options.refraction.camera != RefractionOptions::CameraMode::flat || bedEdge <= longestBedEdge) return;
+    options.refraction.camera = RefractionOptions::CameraMode::snell;
+    if (!std::exchange(saidCoarse, true))
+        log::info("refraction.camera = flat needs triangles under water of at most {} m, and they are up to {:.1f} m: "
+                  "the camera turned by Snell's law takes its place",
+                  longestBedEdge, bedEdge);
 }
 
 const Options& Renderer::options() const { return state_->options; }

@@ -26,6 +26,7 @@ enum Feature : unsigned {
     waterline = 1u << 16,
     inAir = 1u << 17,
     inWater = 1u << 18,
+    flatWater = 1u << 19,
 };
 
 struct FeatureName {
@@ -38,7 +39,8 @@ constexpr FeatureName featureNames[] = {
     {specular, "SPECULAR"},        {clipPlane, "CLIP"},              {underwaterEye, "UNDERWATER"},
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
     {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
-    {waterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"}};
+    {waterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"},
+    {flatWater, "FLAT_WATER"}};
 
 /// What decides whether a surface is there at all.
 constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane;
@@ -99,6 +101,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (clips) bits |= clipPlane;
     if (style.underwaterEye) bits |= underwaterEye;
     if (style.waterline) bits |= waterline;
+    if (style.throughFlatWater) bits |= flatWater;
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
     if (style.debugNormals) bits |= debugNormals;
     if (style.shadows) bits |= shadows;

@@ -20,6 +20,7 @@ struct PaintStyle {
     bool debugNormals = false;    ///< world-space normals in place of radiance
     bool shadows = false;         ///< sunlight is looked up in the shadow maps
     bool caustics = false;        ///< and what reaches the bed in the caustics texture
+    bool throughFlatWater = false; ///< what lies under the level is drawn where a flat surface shows it
     bool depthOnly = false;       ///< no colour: what the sun's maps hold
     bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
 };

@@ -37,6 +37,10 @@ View refractionView(const Camera& camera, float aspect, const WaterBody& water, 
         return view;
     }
     view.clipPlane = keepBelow(water.level + options.clipOffset);
+    // Waves may hold the eye's height over the level as small as this without a flat surface between.
+    constexpr float leastHeight = 0.02f;
+    if (options.camera == RefractionOptions::CameraMode::flat && camera.eye.y > water.level + leastHeight)
+        view.flatWater = water.level;
     if (options.camera == RefractionOptions::CameraMode::snell) {
         const optics::RefractionCamera turned =
             optics::refractionCamera(camera.eye, normalize(camera.target - camera.eye), camera.up,

@@ -5,6 +5,8 @@
 #include "plan/options.h"
 #include "scene/scene.h"
 
+#include <optional>
+
 namespace tarn {
 
 /// A camera ready for a pass. All in world space; metres.
@@ -15,6 +17,7 @@ struct View {
     vec4 clipPlane{0.0f};  ///< keeps what has dot(plane, (p, 1)) >= 0; zero keeps everything
     bool mirrored = false; ///< handedness is flipped, so front faces run clockwise
     float nearPlane = 0.1f, farPlane = 1000.0f;
+    std::optional<float> flatWater; ///< level of a flat surface through which the eye, above it, sees what is below
 
     mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
     bool clips() const { return clipPlane != vec4(0.0f); }
@@ -23,8 +26,9 @@ struct View {
 View mainView(const Camera& camera, float aspect);
 
 /// The refraction target's camera. Above the water: the underwater part, from a camera that is turned about the point
-/// O by the angle of refraction (Mihálik 2008, eq. 1–2) or stands where the main one does. Under water: what is
-/// above, from the main camera (section 7.5).
+/// O by the angle of refraction (Mihálik 2008, eq. 1–2), stands where the main one does, or stands there and sees
+/// through a flat surface (shaders/shared/refraction.glsl, flatApparent), which hides nothing that refraction shows.
+/// Under water: what is above, from the main camera (section 7.5).
 View refractionView(const Camera& camera, float aspect, const WaterBody& water, const RefractionOptions& options,
                     bool underwater);
 

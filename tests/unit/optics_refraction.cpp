@@ -226,5 +226,41 @@ TEST(RadianceThroughSurface, IsDividedByTheSquareOfTheIndex)
     EXPECT_NEAR(above, below, 1e-5 * below);
 }
 
+/// Whatever the eye's height, the bed's depth and the distance: Snell's law holds at the crossing.
+template <typename Check> void overFlatWater(Check check)
+{
+    for (const double height : {0.05, 0.5, 2.0, 30.0})
+        for (const double depth : {0.01, 0.3, 2.0, 20.0})
+            for (const double across : {0.0, 0.01, 0.5, 3.0, 40.0, 300.0}) check(height, depth, across);
+}
+
+TEST(FlatWater, RaysCrossWhereSnellSays)
+{
+    overFlatWater([](double height, double depth, double across) {
+        const double y = optics64::flatSidestep(height, depth, across, n);
+        const double sinAir = (across - y) / std::hypot(across - y, height), sinWater = y / std::hypot(y, depth);
+        EXPECT_NEAR(sinAir, n * sinWater, 1e-6) << height << " " << depth << " " << across;
+        const float single = optics::flatSidestep(static_cast<float>(height), static_cast<float>(depth),
+                                                  static_cast<float>(across), static_cast<float>(n));
+        EXPECT_NEAR(single, y, 1e-5 * (0.1 + depth)) << height << " " << depth << " " << across;
+    });
+}
+
+TEST(FlatWater, WhereThingsSeemToBeAndAreAreInverse)
+{
+    const dvec3 eye(3.0, 1.0, -2.0);
+    overFlatWater([&](double height, double depth, double across) {
+        const double level = eye.y - height;
+        const dvec3 point = dvec3(eye.x + 0.6 * across, level - depth, eye.z + 0.8 * across);
+        const dvec3 seen = optics64::flatApparent(eye, point, level, n);
+        EXPECT_LT(glm::distance(optics64::flatTrue(eye, seen, level, n), point), 2e-5 * (1.0 + across + depth));
+        // The light comes from the crossing, and as far as it has come.
+        const double y = optics64::flatSidestep(height, depth, across, n);
+        EXPECT_NEAR(glm::distance(eye, seen), std::hypot(across - y, height) + std::hypot(y, depth), 1e-6 * (1.0 + across));
+    });
+    const dvec3 dry(1.0, 0.5, 4.0);
+    EXPECT_EQ(optics64::flatApparent(eye, dry, 0.0, n), dry);
+}
+
 } // namespace
 } // namespace tarn

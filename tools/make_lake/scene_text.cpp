@@ -18,7 +18,8 @@ name = "The lake"
 
 [options]
 frame.exposure = 0.065
-refraction.steps = 6
+refraction.camera = "flat"
+refraction.steps = 4
 reflection.facets = "five"
 glow.strength = 0.3
 

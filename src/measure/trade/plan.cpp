@@ -86,7 +86,7 @@ std::vector<std::string> defaultSweeps()
 {
     return {"refraction.steps=1,2,3,6,12,24",
             "refraction.target_size=128:2048:*2",
-            "refraction.camera=main,snell",
+            "refraction.camera=main,snell,flat",
             "refraction.method=planar,iterative",
             "refraction.fov_extension_near=1,1.25,1.5,2",
             "refraction.fov_extension_far=1,1.2,1.5",

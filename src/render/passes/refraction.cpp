@@ -28,6 +28,7 @@ const gl::Target& RefractionPass::draw(ScenePainter& painter, const RefractionOp
     target_.drawFramebuffer().clearColour(vec4(inputs.deepRadiance, 1.0f));
     target_.drawFramebuffer().clearDepth();
     PaintStyle style = inputs.style;
+    style.throughFlatWater = inputs.view.flatWater.has_value();
     style.sky = inputs.underwater; // in the water the far distance is water
     painter.draw(inputs.view, style, WaterCover{}, inputs.cull, stats);
     return target_;

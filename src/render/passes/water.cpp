@@ -38,6 +38,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
         defines.emplace_back("PAPER", "1");
     if (inputs.waterline) defines.emplace_back("WATERLINE", "1");
     if (inputs.refraction) defines.emplace_back("REFRACTION", "1");
+    if (inputs.refraction && inputs.refractionView->flatWater) defines.emplace_back("FLAT_CAMERA", "1");
     if (inputs.reflection) defines.emplace_back("REFLECTION", "1");
     if (options.refraction.method == RefractionOptions::Method::iterative) defines.emplace_back("ITERATIVE", "1");
     if (options.water.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
