@@ -173,7 +173,7 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
                     ivec2 size, double time)
 {
     FramePlan plan;
-    plan[PassId::scene] = wanted("what the eye sees, without the water", size, "");
+    plan[PassId::scene] = wanted("what the eye sees, without the water", size * options.frame.supersampling, "");
     plan[PassId::present] = wanted("tone mapping to the display", size, "scene, water");
 
     plan.underwater = water.present && options.water.enabled && options.underwater.enabled &&
@@ -202,7 +202,7 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     plan[PassId::water] = wanted(bySide("the surface is in the view",
                                         "the surface cuts the near plane: drawn from both sides",
                                         "the surface seen from below"),
-                                 size, "scene, refraction, reflection");
+                                 size * options.frame.supersampling, "scene, refraction, reflection");
     plan[PassId::refraction] =
         options.refraction.enabled
             ? wanted(bySide("the bed under the surface", "both the bed and, from below, what stands over the water",

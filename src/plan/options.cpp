@@ -25,6 +25,8 @@ void visit(FieldVisitor& v, FrameOptions& o)
     v.field({"exposure", "Factor on the radiance before the tone curve", "", 0.0, 1000.0}, o.exposure);
     v.choice({"tone_curve", "How radiance becomes the 0 to 1 of the screen"}, o.toneCurve, toneCurveNames);
     v.field({"msaa", "Samples per pixel of the scene and water passes; 1 is off", "samples", 1, 16}, o.msaa);
+    v.field({"supersampling", "Shaded pixels along one edge of a pixel of the picture; 1 is off", "pixels", 1, 8},
+            o.supersampling);
     v.field({"anisotropy", "Largest anisotropy of texture filtering; 1 is off", "", 1.0, 16.0}, o.anisotropy);
     v.field({"cull_chunks", "Leave out the chunks of the scene that the view cannot see"}, o.cullChunks);
 }

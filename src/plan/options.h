@@ -11,6 +11,7 @@ struct FrameOptions {
     float exposure = 1.0f;
     ToneCurve toneCurve = ToneCurve::aces;
     int msaa = 4;
+    int supersampling = 1;
     float anisotropy = 8.0f;
     bool cullChunks = true;
 };

@@ -9,6 +9,7 @@
 #include "render/frame_light.h"
 #include "render/passes/caustics.h"
 #include "render/passes/debug_copy.h"
+#include "render/passes/downsample.h"
 #include "render/passes/glow.h"
 #include "render/passes/present.h"
 #include "render/passes/reflection.h"
@@ -74,7 +75,7 @@ struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
         : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, anisotropyFor(o.frame), progress),
           painter(gpuScene, shaders), causticsPass(shaders), waterPass(shaders), waterline(shaders),
-          glowPass(shaders), presentPass(shaders), debugCopy(shaders)
+          glowPass(shaders), downsample(shaders), presentPass(shaders), debugCopy(shaders)
     {
     }
 
@@ -108,6 +109,7 @@ struct Renderer::State {
     WaterPass waterPass;
     WaterlinePass waterline;
     GlowPass glowPass;
+    DownsamplePass downsample;
     PresentPass presentPass;
     DebugCopyPass debugCopy;
 
@@ -119,6 +121,7 @@ struct Renderer::State {
     const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
 
     // Of this frame.
+    ivec2 drawnSize{1};      ///< of the frame, pixels: the picture's or a multiple of it
     View main, refractionView, reflectionView;
     View refractionViewBelow, reflectionViewBelow;
     bool isBelow = false;    ///< all of the picture begins under water
@@ -347,7 +350,9 @@ void Renderer::State::drawScene(const FrameInput& input)
 {
     gl::PassScope scope(profiler, passName(PassId::scene));
     const bool raw = wantsRawValues(input.view);
-    frame.ensure({.size = input.size,
+    // A mean of raw values is none: a position between two others, a normal that is no longer of unit length.
+    drawnSize = raw ? input.size : stats.plan[PassId::scene].size;
+    frame.ensure({.size = drawnSize,
                   .colours = {raw ? gl::Format::rgba32f : gl::Format::rgba16f},
                   .depth = gl::Format::depth24,
                   .samples = raw ? 1 : options.frame.msaa});
@@ -361,8 +366,8 @@ void Renderer::State::drawScene(const FrameInput& input)
     if (stats.plan[PassId::water].wanted && stats.plan.side == WaterSide::above &&
         input.view != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
-    FrameStats::Pass& pass = beginPass(PassId::scene, main, input.size);
-    if (isCrossing) sideOfPixels = &waterline.draw(main, options.water.gridSize, input.size);
+    FrameStats::Pass& pass = beginPass(PassId::scene, main, drawnSize);
+    if (isCrossing) sideOfPixels = &waterline.draw(main, options.water.gridSize, drawnSize);
     inputs.style.waterline = sideOfPixels;
     scenePass.draw(painter, frame, inputs, pass);
     if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));
@@ -382,7 +387,7 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .underwater = isBelow,
                              .view = input.view};
     if (isCrossing) inputs.waterline = sideOfPixels;
-    FrameStats::Pass& pass = beginPass(PassId::water, main, input.size);
+    FrameStats::Pass& pass = beginPass(PassId::water, main, drawnSize);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
     if (isCrossing) {
         if (refracts) inputs.refraction = &refractionBelow.target();
@@ -425,7 +430,7 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
     case DebugView::caustics:
         return stats.plan[PassId::caustics].wanted ? debugCopy.colour(causticsPass.target().colour(), size)
                                                    : debugCopy.nothing(size);
-    default: return frame;
+    default: return downsample.draw(frame, size);
     }
 }
 

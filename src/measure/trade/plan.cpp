@@ -104,7 +104,8 @@ std::vector<std::string> defaultSweeps()
             "water.grid_size=17,33,49,97,193",
             "water.normals=vertex,pixel",
             "water.filter_waves=false,true",
-            "frame.msaa=1,2,4,8"};
+            "frame.msaa=1,2,4,8",
+            "frame.supersampling=1,2,3,4"};
 }
 
 TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe)
