@@ -1,5 +1,7 @@
 #include "reference/integrator.h"
 
+#include "reference/target_picture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -107,16 +109,59 @@ vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
     mirrored.weight *= F;
     mirrored.showsSun = false; // the glint is its image
     const dvec3 R = optics64::reflectRay(ray.direction, n);
-    const vec3 reflected = along({U, R}, Medium::air, mirrored);
+    // The frame knows one surface: what is seen in it of further ones is the truth's here.
+    const bool isFirst = walk.events == 1 && !walk.isIndirect;
+    const vec3 reflected =
+        isFirst && rough.reflection ? lookUpMirrored(U, R, mirrored) : along({U, R}, Medium::air, mirrored);
 
     Walk passed = walk;
     passed.weight *= 1.0 - F;
-    const vec3 refracted = along({U, optics64::refractRay(ray.direction, n, 1.0 / ior)}, Medium::water, passed);
+    const dvec3 bent = optics64::refractRay(ray.direction, n, 1.0 / ior);
+    const vec3 refracted =
+        isFirst && rough.refraction ? lookUpBed(U, bent, passed) : along({U, bent}, Medium::water, passed);
 
     const auto f = static_cast<float>(F);
     vec3 sum = f * reflected + optics::radianceThroughSurface(1.0f - f, world_.light.ior) * refracted;
     if (!walk.isIndirect) sum += glint(U, n, vec3(-ray.direction));
     return sum;
+}
+
+vec3 Integrator::lookUpBed(const dvec3& U, const dvec3& refracted, Walk walk) const
+{
+    const Approximations& rough = world_.approximations;
+    const TargetPicture picture(*rough.refraction, world_.geometry, world_.water->level(), world_.light.ior);
+    const vec3 deep = world_.light.deepRadiance;
+    dvec3 W = U, A = U;
+    if (rough.refractionSteps > 0 || rough.planarRefraction) {
+        W = picture.search(U, refracted, rough.refractionSteps, rough.planarRefraction, A);
+    } else {
+        const auto hit = world_.geometry.intersect({U, refracted}, offset, farthest);
+        if (!hit) return deep;
+        W = U + hit->distance * refracted;
+    }
+    const TargetPicture::Seen seen = picture.seenAt(W);
+    if (rough.refractionSteps == 0 && !rough.planarRefraction) A = seen.point;
+    if (!seen.hit) return deep;
+    walk.length += glm::distance(U, seen.point);
+    const bool isWet = seen.point.y < world_.water->level();
+    const vec3 bed = shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, walk);
+    const vec3 a = optics::beerLambert(world_.light.absorption, static_cast<float>(glm::distance(A, U)));
+    return optics::radianceThroughWater(bed, deep, a);
+}
+
+vec3 Integrator::lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) const
+{
+    reflected.y = std::abs(reflected.y); // as the frame has it: what a wave mirrors of the water is mirrored again
+    const Approximations& rough = world_.approximations;
+    const TargetPicture picture(*rough.reflection, world_.geometry, world_.water->level(), world_.light.ior);
+    dvec3 A;
+    const dvec3 W = rough.reflectionSteps > 0 ? picture.search(U, reflected, rough.reflectionSteps, false, A)
+                                              : U + rough.reflectionDistance * reflected;
+    const TargetPicture::Seen seen = picture.seenAt(W);
+    if (!seen.hit) return skyAlong(seen.ray.direction, walk);
+    walk.length += glm::distance(U, seen.point);
+    const bool isWet = seen.point.y < world_.water->level() && world_.water->spans(seen.point.x, seen.point.z);
+    return shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, walk);
 }
 
 vec3 Integrator::fromBelow(const Ray& ray, const dvec3& U, Walk walk) const

@@ -82,18 +82,18 @@ struct Tracer::State {
     std::optional<WaterSurface> surface(const ViewRequest& view) const
     {
         if (!body.present) return std::nullopt;
-        return WaterSurface(body, view.time, view.gridSize);
+        return WaterSurface(body, view.time, view.gridSize, view.normalGridSize);
     }
     SunMap sunMap(const ViewRequest& view, const WaterSurface* water, const ReferenceOptions& options,
                   Progress* progress) const;
     World world(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
                 const ReferenceOptions& options) const
     {
-        World result{geometry, water, light, map, sunRoughness, options, view.approximations};
-        result.approximations.eye = dvec3(view.camera.eye);
-        return result;
+        return {geometry, water, light, map, sunRoughness, options, view.approximations};
     }
     std::string identity(const ViewRequest& view, const ReferenceOptions& options) const;
+    Picture picture(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
+                    const ReferenceOptions& options, const Accumulation& sums) const;
 };
 
 Tracer::Tracer(const Scene& scene, const WaterBody& water, float sunRoughness)
@@ -108,6 +108,10 @@ SunMap Tracer::State::sunMap(const ViewRequest& view, const WaterSurface* water,
                              Progress* progress) const
 {
     if (!water || !light.hasSun() || view.flatLight) return {};
+    if (view.causticsTexture) {
+        const auto& [rect, texel, filter] = *view.causticsTexture;
+        return SunMap(mapInputs(*water, options.photons, options.seed), rect, texel, progress, filter);
+    }
     const SunMap none;
     const World probe = world(view, water, none, options);
     const Integrator integrator(probe);
@@ -125,23 +129,50 @@ SunMap Tracer::State::sunMap(const ViewRequest& view, const WaterSurface* water,
     return SunMap(mapInputs(*water, options.photons, options.seed), queries, progress);
 }
 
+namespace {
+
+std::string identityOf(const TargetCamera& camera)
+{
+    std::string text = fmt::format(" {},{} far {} clip {} {} {}", camera.tangents.x, camera.tangents.y, camera.farPlane,
+                                   camera.clipLevel, camera.keepsAbove, camera.throughFlatWater);
+    for (int i = 0; i < 16; ++i) text += fmt::format(" {}", camera.viewFromWorld[i / 4][i % 4]);
+    return text;
+}
+
+std::string identityOf(const Approximations& rough)
+{
+    std::string text;
+    if (rough.schlickExponent > 0.0f) text += fmt::format("; Schlick {}", rough.schlickExponent);
+    if (rough.refraction)
+        text += fmt::format("; refraction {} {}", rough.refractionSteps, rough.planarRefraction) +
+                identityOf(*rough.refraction);
+    if (rough.reflection)
+        text += fmt::format("; reflection {} {}", rough.reflectionSteps, rough.reflectionDistance) +
+                identityOf(*rough.reflection);
+    return text;
+}
+
+} // namespace
+
 std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOptions& options) const
 {
     const Camera& c = view.camera;
     const auto triple = [](const vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
     std::string text = fmt::format(
         "{}; eye {}; target {}; up {}; fov {}; time {}; {}x{}; depth {}; bounces {}; photons {}; seed {}; water {} {} "
-        "{},{} {},{}; grid {}; flat {}; sun {}; roughness {}; approximations {} {} {} {}",
+        "{},{} {},{}; grid {}; flat {}; sun {}; roughness {}",
         scene.file.string(), triple(c.eye), triple(c.target), triple(c.up), c.verticalFov, view.time, view.size.x,
         view.size.y, options.depth, options.bounces, options.photons, options.seed, body.level, body.ior, body.extent.x,
-        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.flatLight, triple(light.sunDirection), sunRoughness,
-        view.approximations.schlickExponent, view.approximations.reflectionDistance,
-        view.approximations.reflectionClip, view.approximations.refractionClip);
+        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.flatLight, triple(light.sunDirection), sunRoughness);
     for (const Wave& w : body.waves)
         text += fmt::format("; {} {} {} {} {}", w.amplitude, w.wavelength, w.direction, w.phase, w.period);
     text += fmt::format("; {}; {}; {} triangles at {}", triple(body.absorption), triple(body.colour),
                         scene.meshes.size(), triple(geometry.bounds().upper));
-    return text;
+    if (view.normalGridSize > 0) text += fmt::format("; normals of grid {}", view.normalGridSize);
+    if (const auto& map = view.causticsTexture)
+        text += fmt::format("; caustics {},{} {},{} by {} filter {}", map->rect.x, map->rect.y, map->rect.z,
+                            map->rect.w, map->texel, map->filter);
+    return text + identityOf(view.approximations);
 }
 
 namespace {
@@ -208,6 +239,50 @@ void samplesInto(Accumulation& sums, const Integrator& integrator, const Lens& l
 
 } // namespace
 
+/// What the paths summed up to, and the quantities of each pixel's centre.
+Picture Tracer::State::picture(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
+                               const ReferenceOptions& options, const Accumulation& sums) const
+{
+    const World all = world(view, water, map, options);
+    const Integrator integrator(all);
+    const Lens lens(view.camera, view.size);
+    Picture picture(view.size);
+    overPixels(view.size, [&](int x, int y, std::size_t pixel) {
+        picture.radiance[pixel] = sums.radiance[pixel] / static_cast<float>(sums.samples);
+        integrator.quantities(lens.through(x + 0.5, y + 0.5), lens.pixelAngle(), picture, pixel);
+    });
+    return picture;
+}
+
+std::vector<Picture> Tracer::renderAll(const std::vector<ViewRequest>& views, const ReferenceOptions& options,
+                                       Progress* progress) const
+{
+    const State& s = *state_;
+    std::vector<Picture> pictures;
+    SunMap map;
+    std::string mapOf;
+    for (const ViewRequest& view : views) {
+        requireSize(view.size);
+        const std::optional<WaterSurface> surface = s.surface(view);
+        const WaterSurface* water = surface ? &*surface : nullptr;
+        ViewRequest light = view;
+        light.approximations = {};
+        if (const std::string wanted = s.identity(light, options); mapOf != wanted) {
+            map = s.sunMap(light, water, options, nullptr);
+            mapOf = wanted;
+        }
+        const World world = s.world(view, water, map, options);
+        const Integrator integrator(world);
+        Accumulation sums(view.size);
+        samplesInto(sums, integrator, Lens(view.camera, view.size), options, "", {}, nullptr);
+        pictures.push_back(s.picture(view, water, map, options, sums));
+        if (progress)
+            progress->report(static_cast<double>(pictures.size()) / static_cast<double>(views.size()),
+                             fmt::format("tracing picture {} of {}", pictures.size(), views.size()));
+    }
+    return pictures;
+}
+
 Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options, Progress* progress,
                        const Checkpoint& checkpoint, TraceReport* report) const
 {
@@ -224,11 +299,7 @@ Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options,
     const Lens lens(view.camera, view.size);
     samplesInto(sums, integrator, lens, options, identity, checkpoint, progress);
 
-    Picture picture(view.size);
-    overPixels(view.size, [&](int x, int y, std::size_t pixel) {
-        picture.radiance[pixel] = sums.radiance[pixel] / static_cast<float>(sums.samples);
-        integrator.quantities(lens.through(x + 0.5, y + 0.5), lens.pixelAngle(), picture, pixel);
-    });
+    Picture picture = s.picture(view, water ? &*water : nullptr, map, options, sums);
     TraceReport done{.seconds = secondsSince(start),
                      .truncatedShare = meanTruncated(sums),
                      .causticsNoise = map.noise(),

@@ -26,8 +26,16 @@ struct ViewRequest {
     Camera camera;
     double time = 0.0;     ///< s
     ivec2 size{640, 480};  ///< pixels
-    int gridSize = 0;      ///< > 0: the surface as the viewer's grid draws it, for the error budget
+    int gridSize = 0;       ///< > 0: the surface as the viewer's grid draws it, for the error budget
+    int normalGridSize = 0; ///< > 0: normals as such a grid's vertices have them, interpolated
     bool flatLight = false; ///< the sun's light under water as a flat surface lets it through
+    /// The sun's light under water as a texture over a part of the level holds it; beside it that of a flat surface.
+    struct CausticsTexture {
+        vec4 rect{0.0f};   ///< centre x, z and half extent, m
+        double texel = 0.1; ///< m
+        int filter = 0;    ///< radius, texels
+    };
+    std::optional<CausticsTexture> causticsTexture{};
     Approximations approximations{};
 };
 
@@ -65,6 +73,11 @@ public:
     /// picture, and Interrupted.
     Picture render(const ViewRequest& view, const ReferenceOptions& options, Progress* progress = nullptr,
                    const Checkpoint& checkpoint = {}, TraceReport* report = nullptr) const;
+
+    /// Pictures that differ in what their views ask for; they share the sun's light under water where they can. The same
+    /// random numbers for all, so that two of them differ by what was asked for alone.
+    std::vector<Picture> renderAll(const std::vector<ViewRequest>& views, const ReferenceOptions& options,
+                                   Progress* progress = nullptr) const;
 
     /// Everything that a picture depends on but its number of samples; also its header's "tarn:reference".
     std::string identity(const ViewRequest& view, const ReferenceOptions& options) const;

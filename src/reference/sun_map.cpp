@@ -8,6 +8,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -97,10 +98,10 @@ SunMap::SunMap(const Inputs& inputs, const std::vector<LightQuery>& queries, Pro
     }
 }
 
-SunMap::SunMap(const Inputs& inputs, const vec4& rect, double texel, Progress* progress)
+SunMap::SunMap(const Inputs& inputs, const vec4& rect, double texel, Progress* progress, int filter)
     : slant_(dvec2(inputs.light.sunDirectionBelow.x, inputs.light.sunDirectionBelow.z) /
              static_cast<double>(inputs.light.sunDirectionBelow.y)),
-      level_(inputs.water.level())
+      level_(inputs.water.level()), filter_(filter)
 {
     Map map;
     map.texel = texel;
@@ -250,6 +251,24 @@ vec3 SunMap::sumAt(const Map& map, ivec2 texel, int layer, int half)
 }
 
 std::optional<vec3> SunMap::relativeIrradiance(const dvec3& point, double footprint) const
+{
+    if (filter_ == 0 || maps_.empty()) return unfiltered(point, footprint);
+    constexpr std::array<std::array<float, 5>, 2> rows{{{0.0f, 0.25f, 0.5f, 0.25f, 0.0f},
+                                                        {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f}}};
+    const auto& row = rows[filter_ == 1 ? 0 : 1];
+    vec3 sum(0.0f);
+    for (int j = -2; j <= 2; ++j)
+        for (int i = -2; i <= 2; ++i) {
+            const float weight = row[static_cast<std::size_t>(i + 2)] * row[static_cast<std::size_t>(j + 2)];
+            if (weight == 0.0f) continue;
+            const auto light = unfiltered(point + maps_.front().texel * dvec3(i, 0.0, j), footprint);
+            if (!light) return std::nullopt;
+            sum += weight * *light;
+        }
+    return sum;
+}
+
+std::optional<vec3> SunMap::unfiltered(const dvec3& point, double footprint) const
 {
     const dvec2 plane = planeOf(point, level_, slant_);
     const int layer = static_cast<int>(std::floor((point.y - level_) / layerHeight));
