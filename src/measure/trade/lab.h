@@ -3,6 +3,7 @@
 #pragma once
 
 #include "measure/error_figures.h"
+#include "measure/trade/budget.h"
 #include "measure/trade/plan.h"
 
 #include <cstddef>
@@ -28,18 +29,6 @@ struct Price {
 /// Whole PNG files of one size; empty for one that the lab cannot make.
 struct TradePictures {
     std::string realTime, reference, flip;
-};
-
-/// What each part of a frame adds to its error (README, "Accuracy").
-struct ErrorBudget {
-    struct Row {
-        std::string part;
-        double alone = 0.0;   ///< error of the reference with this approximation in it
-        double removed = 0.0; ///< by how much the frame's error falls when this part of it is exact
-    };
-    std::string quantity; ///< "mean FLIP"
-    std::vector<Row> rows;
-    double total = 0.0; ///< error of the frame as it is
 };
 
 class TradeLab {
