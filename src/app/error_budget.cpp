@@ -206,41 +206,41 @@ private:
     reference::Picture measureAlone(ErrorBudget& budget) const
     {
         const reference::ReferenceOptions& options = request_.reference;
-        const std::string exactIdentity = tracer_.identity(exactView(), options);
-        std::vector<ViewRequest> views{exactView()};
+        std::vector<reference::Tracer::Request> requests{{exactView(), options}};
         std::vector<double*> figures{nullptr};
-        // What differs in its rays alone comes first: these pictures share the sun's light with the exact one.
+        const auto ask = [&](const ViewRequest& view, const reference::ReferenceOptions& how, double& figure) {
+            figure = 0.0;
+            if (tracer_.identity(view, how) == tracer_.identity(exactView(), options)) return;
+            requests.push_back({view, how});
+            figures.push_back(&figure);
+        };
         ViewRequest whole = exactView();
-        for (const bool changesLight : {false, true})
+        // What has the exact picture's light comes first, and shares it.
+        const auto askForParts = [&](bool ownLight) {
             for (std::size_t i = 0; i < parts_.size(); ++i) {
                 if (!parts_[i].approximate) continue;
                 ViewRequest view = exactView();
                 parts_[i].approximate(view);
-                const bool hasOwnLight =
-                    view.gridSize > 0 || view.normalGridSize > 0 || view.flatLight || view.causticsTexture.has_value();
-                if (hasOwnLight != changesLight) continue;
+                if ((view.flatLight || view.causticsTexture) != ownLight) continue;
                 parts_[i].approximate(whole);
-                budget.rows[i].alone = 0.0;
-                if (tracer_.identity(view, options) == exactIdentity) continue;
-                views.push_back(view);
-                figures.push_back(&budget.rows[i].alone);
+                ask(view, options, budget.rows[i].alone);
             }
-        views.push_back(whole);
-        figures.push_back(&budget.together);
-
-        std::vector<reference::Picture> pictures = tracer_.renderAll(views, options, progress_);
-        const Image truth = shown(pictures.front());
-        const auto errorOf = [&](const reference::Picture& picture) { return meanOf(flipMap(truth, shown(picture))); };
-        for (std::size_t i = 1; i < pictures.size(); ++i)
-            *figures[i] = errorOf(pictures[i]);
-
+        };
+        askForParts(false);
         reference::ReferenceOptions other = options;
-        other.seed = options.seed + 1;
-        budget.noise = errorOf(tracer_.render(exactView(), other, progress_));
-        other = options;
         constexpr int bouncesThatMatter = 2;
-        other.bounces = options.bounces + bouncesThatMatter;
-        budget.unmodelled = errorOf(tracer_.render(exactView(), other, progress_));
+        other.bounces += bouncesThatMatter;
+        ask(exactView(), other, budget.unmodelled);
+        askForParts(true);
+        ask(whole, options, budget.together);
+        other = options;
+        ++other.seed;
+        if (!request_.truth) ask(exactView(), other, budget.noise);
+
+        std::vector<reference::Picture> pictures = tracer_.renderAll(requests, progress_);
+        const Image truth = shown(pictures.front());
+        for (std::size_t i = 1; i < pictures.size(); ++i)
+            *figures[i] = meanOf(flipMap(truth, shown(pictures[i])));
         return std::move(pictures.front());
     }
 

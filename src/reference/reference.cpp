@@ -84,8 +84,7 @@ struct Tracer::State {
         if (!body.present) return std::nullopt;
         return WaterSurface(body, view.time, view.gridSize, view.normalGridSize);
     }
-    SunMap sunMap(const ViewRequest& view, const WaterSurface* water, const ReferenceOptions& options,
-                  Progress* progress) const;
+    SunMap sunMap(const ViewRequest& view, const ReferenceOptions& options, Progress* progress) const;
     World world(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
                 const ReferenceOptions& options) const
     {
@@ -104,16 +103,16 @@ Tracer::Tracer(const Scene& scene, const WaterBody& water, float sunRoughness)
 Tracer::~Tracer() = default;
 
 /// Photons are wanted where the picture looks: a coarse picture finds out.
-SunMap Tracer::State::sunMap(const ViewRequest& view, const WaterSurface* water, const ReferenceOptions& options,
-                             Progress* progress) const
+SunMap Tracer::State::sunMap(const ViewRequest& view, const ReferenceOptions& options, Progress* progress) const
 {
-    if (!water || !light.hasSun() || view.flatLight) return {};
+    if (!body.present || !light.hasSun() || view.flatLight) return {};
+    const WaterSurface waves(body, view.time);
     if (view.causticsTexture) {
         const auto& [rect, texel, filter] = *view.causticsTexture;
-        return SunMap(mapInputs(*water, options.photons, options.seed), rect, texel, progress, filter);
+        return SunMap(mapInputs(waves, options.photons, options.seed), rect, texel, progress, filter);
     }
     const SunMap none;
-    const World probe = world(view, water, none, options);
+    const World probe = world(view, &waves, none, options);
     const Integrator integrator(probe);
     // Finer than pixels for small pictures: a reference of a few pixels still needs its light.
     const double step = std::max(std::sqrt(static_cast<double>(view.size.x) * view.size.y / 30000.0), 0.25);
@@ -126,7 +125,7 @@ SunMap Tracer::State::sunMap(const ViewRequest& view, const WaterSurface* water,
     });
     std::vector<LightQuery> queries;
     for (const auto& some : found) queries.insert(queries.end(), some.begin(), some.end());
-    return SunMap(mapInputs(*water, options.photons, options.seed), queries, progress);
+    return SunMap(mapInputs(waves, options.photons, options.seed), queries, progress);
 }
 
 namespace {
@@ -254,31 +253,30 @@ Picture Tracer::State::picture(const ViewRequest& view, const WaterSurface* wate
     return picture;
 }
 
-std::vector<Picture> Tracer::renderAll(const std::vector<ViewRequest>& views, const ReferenceOptions& options,
-                                       Progress* progress) const
+std::vector<Picture> Tracer::renderAll(const std::vector<Request>& requests, Progress* progress) const
 {
     const State& s = *state_;
     std::vector<Picture> pictures;
     SunMap map;
     std::string mapOf;
-    for (const ViewRequest& view : views) {
+    for (const auto& [view, options] : requests) {
         requireSize(view.size);
-        const std::optional<WaterSurface> surface = s.surface(view);
-        const WaterSurface* water = surface ? &*surface : nullptr;
-        ViewRequest light = view;
-        light.approximations = {};
-        if (const std::string wanted = s.identity(light, options); mapOf != wanted) {
-            map = s.sunMap(light, water, options, nullptr);
+        Request light{view, options};
+        light.view.approximations = {};
+        light.view.gridSize = light.view.normalGridSize = light.options.bounces = 0;
+        if (const std::string wanted = s.identity(light.view, light.options); mapOf != wanted) {
+            map = s.sunMap(view, options, nullptr);
             mapOf = wanted;
         }
-        const World world = s.world(view, water, map, options);
+        const std::optional<WaterSurface> water = s.surface(view);
+        const World world = s.world(view, water ? &*water : nullptr, map, options);
         const Integrator integrator(world);
         Accumulation sums(view.size);
         samplesInto(sums, integrator, Lens(view.camera, view.size), options, "", {}, nullptr);
-        pictures.push_back(s.picture(view, water, map, options, sums));
+        pictures.push_back(s.picture(view, water ? &*water : nullptr, map, options, sums));
         if (progress)
-            progress->report(static_cast<double>(pictures.size()) / static_cast<double>(views.size()),
-                             fmt::format("tracing picture {} of {}", pictures.size(), views.size()));
+            progress->report(static_cast<double>(pictures.size()) / static_cast<double>(requests.size()),
+                             fmt::format("tracing picture {} of {}", pictures.size(), requests.size()));
     }
     return pictures;
 }
@@ -293,7 +291,7 @@ Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options,
     Accumulation sums = checkpoint.file.empty() ? Accumulation(view.size) : load(checkpoint.file, view.size, identity);
 
     const std::optional<WaterSurface> water = s.surface(view);
-    const SunMap map = s.sunMap(view, water ? &*water : nullptr, options, progress);
+    const SunMap map = s.sunMap(view, options, progress);
     const World world = s.world(view, water ? &*water : nullptr, map, options);
     const Integrator integrator(world);
     const Lens lens(view.camera, view.size);
@@ -328,7 +326,7 @@ Picture Tracer::quantities(const ViewRequest& view, const ReferenceOptions& opti
     requireSize(view.size);
     const State& s = *state_;
     const std::optional<WaterSurface> water = s.surface(view);
-    const SunMap map = s.sunMap(view, water ? &*water : nullptr, options, progress);
+    const SunMap map = s.sunMap(view, options, progress);
     const World world = s.world(view, water ? &*water : nullptr, map, options);
     const Integrator integrator(world);
     const Lens lens(view.camera, view.size);
