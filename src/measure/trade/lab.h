@@ -40,7 +40,7 @@ public:
     /// All points take turns, so that drift of the machine strikes all alike. One price for each.
     virtual std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) = 0;
     virtual TradePictures pictures(const TradePoint& point, std::size_t view) = 0;
-    /// Of the base; nothing when this lab makes none.
+    /// Of the base; nothing when this lab makes none of this view.
     virtual std::optional<ErrorBudget> budget(std::size_t /*view*/) { return std::nullopt; }
     /// "llvmpipe …; 2 threads": what the prices hold for.
     virtual std::string machine() const = 0;
