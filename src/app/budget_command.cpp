@@ -21,7 +21,8 @@ void run(const BudgetCommand& command)
 
     Session session(stage, command.view.size, &progress);
     const reference::Tracer tracer(stage.scene, settings.water, settings.options.water.sunRoughness);
-    const ErrorBudget budget = measureBudget({.settings = settings,
+    const ErrorBudget budget = measureBudget({.scene = stage.scene,
+                                              .settings = settings,
                                               .camera = camera,
                                               .time = command.view.time,
                                               .size = command.view.size,

@@ -4,12 +4,14 @@
 #include "app/trade_lab.h"
 #include "base/progress.h"
 #include "measure/flip.h"
+#include "render/bed_detail.h"
 #include "render/sun_views.h"
 #include "render/view.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tarn {
 
@@ -29,13 +31,22 @@ reference::TargetCamera targetCamera(const View& view)
     return camera;
 }
 
-/// No clip plane may cut off less than the waves need.
+/// The settings as the renderer takes them: it does not look through flat water at a bed of few triangles.
+Settings asDrawn(Settings settings, const Scene& scene)
+{
+    RefractionOptions::CameraMode& camera = settings.options.refraction.camera;
+    if (camera == RefractionOptions::CameraMode::flat && coarseEdgeUnderWater(scene, settings.water) > longestBedEdge)
+        camera = RefractionOptions::CameraMode::snell;
+    return settings;
+}
+
+/// Waves go as far over and under the level; a clip plane must leave that much, m.
 float leastClipOffset(const WaterBody& water)
 {
     float amplitude = 0.0f;
     for (const Wave& wave : water.waves)
         amplitude += std::abs(wave.amplitude);
-    return std::max(amplitude, 0.01f);
+    return std::max(std::ceil(1000.0f * amplitude - 1e-3f) / 1000.0f, 0.01f);
 }
 
 std::string atLeast(int value, int now) { return fmt::format("{}", std::max(value, now)); }
@@ -177,7 +188,7 @@ class BudgetBench {
 public:
     BudgetBench(const BudgetRequest& request, Session& session, const reference::Tracer& tracer, Progress* progress)
         : request_(request), session_(session), tracer_(tracer), progress_(progress),
-          parts_(budgetParts(request.settings, request.camera, request.size))
+          parts_(budgetParts(asDrawn(request.settings, request.scene), request.camera, request.size))
     {
     }
 

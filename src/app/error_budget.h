@@ -28,6 +28,7 @@ struct BudgetPart {
 std::vector<BudgetPart> budgetParts(const Settings& settings, const Camera& camera, ivec2 size);
 
 struct BudgetRequest {
+    const Scene& scene;
     Settings settings;
     Camera camera;
     double time = 0.0;  ///< s

@@ -133,7 +133,8 @@ public:
         reference::ReferenceOptions few = truth_.options();
         few.samples = std::max(few.samples / 12, 1);
         few.photons /= 5;
-        return measureBudget({.settings = settings,
+        return measureBudget({.scene = stage_.scene,
+                              .settings = settings,
                               .camera = camera,
                               .time = arguments_.time,
                               .size = arguments_.size,
