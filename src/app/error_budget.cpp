@@ -3,6 +3,8 @@
 #include "app/reference_view.h"
 #include "app/trade_lab.h"
 #include "base/progress.h"
+#include "gl/context.h"
+#include "measure/display.h"
 #include "measure/flip.h"
 #include "render/bed_detail.h"
 #include "render/sun_views.h"
@@ -163,7 +165,9 @@ struct Parts {
         const auto offset = [&](float now) { return fmt::format("{}", std::min(now, least)); };
         add("clip planes", {{"refraction.clip_offset", offset(options().refraction.clipOffset)},
                             {"reflection.clip_offset", offset(options().reflection.clipOffset)}});
-        add("samples of a pixel", {{"frame.msaa", atLeast(8, options().frame.msaa)}, {"frame.anisotropy", "16"}});
+        constexpr int across = 3;
+        add("samples of a pixel", {{"frame.msaa", atLeast(4, options().frame.msaa)}, {"frame.anisotropy", "16"}});
+        list.back().supersampling = across;
     }
 };
 
@@ -182,6 +186,22 @@ std::vector<BudgetPart> budgetParts(const Settings& settings, const Camera& came
 }
 
 namespace {
+
+/// The means of squares of `across` pixels.
+Image reduced(const Image& large, int across)
+{
+    Image small{large.name, large.width / across, large.height / across, large.channels, {}, {}};
+    small.floats.assign(small.size(), 0.0f);
+    const auto at = [](const Image& image, int x, int y) {
+        return static_cast<std::size_t>(y * image.width + x) * static_cast<std::size_t>(image.channels);
+    };
+    const float share = 1.0f / static_cast<float>(across * across);
+    for (int y = 0; y < small.height * across; ++y)
+        for (int x = 0; x < small.width * across; ++x)
+            for (std::size_t c = 0; c < static_cast<std::size_t>(large.channels); ++c)
+                small.floats[at(small, x / across, y / across) + c] += share * large.floats[at(large, x, y) + c];
+    return small;
+}
 
 /// Frames and references of one view, and how much they differ.
 class BudgetBench {
@@ -259,20 +279,23 @@ private:
     void measureRemoved(ErrorBudget& budget, const Image& truth) const
     {
         const Settings& base = request_.settings;
-        const std::string baseText = settingsJson(base);
         budget.total = frameError(base, truth);
         Settings exact = base;
+        int mostAcross = 1;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             ErrorBudget::Row& row = budget.rows[i];
             const Settings changed = changedSettings(base, parts_[i].exact, parts_[i].name);
             exact = changedSettings(exact, parts_[i].exact, parts_[i].name);
             row.exact = differences(base, parts_[i]);
-            row.removed = row.exact.empty() ? 0.0 : budget.total - frameError(changed, truth);
+            const int across = parts_[i].supersampling;
+            mostAcross = std::max(mostAcross, across);
+            if (across > 1) row.exact += fmt::format("{}{}x{} in a pixel", row.exact.empty() ? "" : " ", across, across);
+            row.removed = row.exact.empty() ? 0.0 : budget.total - frameError(changed, truth, across);
             if (progress_)
                 progress_->report(static_cast<double>(i + 1) / static_cast<double>(parts_.size()),
                                   fmt::format("taking out {}", row.part));
         }
-        budget.remaining = settingsJson(exact) == baseText ? budget.total : frameError(exact, truth);
+        budget.remaining = frameError(exact, truth, mostAcross);
     }
 
     /// Those of a part's options that the settings do not have.
@@ -286,12 +309,18 @@ private:
         return text;
     }
 
-    double frameError(Settings settings, const Image& truth) const
+    double frameError(Settings settings, const Image& truth, int across = 1) const
     {
         settings.options.glow.enabled = false;
-        session_.renderer().setOptions(settings.options, settings.water);
-        session_.renderer().render({request_.camera, request_.time, request_.size});
-        return meanOf(flipMap(truth, session_.renderer().readDisplay()));
+        Renderer& renderer = session_.renderer();
+        renderer.setOptions(settings.options, settings.water);
+        const int most = gl::capabilities().maxTextureSize / std::max(request_.size.x, request_.size.y);
+        across = std::clamp(across, 1, std::max(most, 1));
+        renderer.render({request_.camera, request_.time, across * request_.size});
+        if (across == 1) return meanOf(flipMap(truth, renderer.readDisplay()));
+        const FrameOptions& frame = settings.options.frame;
+        const Image mean = reduced(renderer.readLinear(), across);
+        return meanOf(flipMap(truth, displayPicture(exposedPicture(mean, frame.exposure), frame.toneCurve)));
     }
 
     const BudgetRequest& request_;
