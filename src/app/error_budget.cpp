@@ -55,7 +55,8 @@ std::string atLeast(int value, int now) { return fmt::format("{}", std::max(valu
 
 /// Collects the parts of one frame.
 struct Parts {
-    const Settings& settings;
+    const Scene& scene;
+    const Settings settings;
     const Camera& camera;
     ivec2 size;
     std::vector<BudgetPart> list{};
@@ -83,11 +84,14 @@ struct Parts {
     void addRefraction()
     {
         const RefractionOptions& refraction = options().refraction;
-        std::function<void(ViewRequest&)> coverage, intersection;
+        std::function<void(ViewRequest&)> coverage, intersection, texels;
         if (refraction.enabled && !isUnderwater()) {
             const reference::TargetCamera target =
                 targetCamera(refractionView(camera, aspect(), settings.water, refraction, false));
             const bool planar = refraction.method == RefractionOptions::Method::planar;
+            texels = [target, edge = refraction.targetSize](ViewRequest& view) {
+                view.approximations.refractionTexels = {target, edge};
+            };
             coverage = [target](ViewRequest& view) { view.approximations.refraction = target; };
             intersection = [target, planar, steps = refraction.steps](ViewRequest& view) {
                 view.approximations.refraction = target;
@@ -99,17 +103,21 @@ struct Parts {
         add("intersection",
             {{"refraction.method", "iterative"}, {"refraction.steps", atLeast(24, refraction.steps)}}, intersection);
         add("refraction texture",
-            {{"refraction.target_size", atLeast(2048, refraction.targetSize)}, {"refraction.depth", "depth32f"}});
+            {{"refraction.target_size", atLeast(2048, refraction.targetSize)}, {"refraction.depth", "depth32f"}},
+            texels);
         if (isUnderwater()) add("rays that leave the water", {{"underwater.refraction", "exact"}});
     }
 
     void addReflection()
     {
         const ReflectionOptions& reflection = options().reflection;
-        std::function<void(ViewRequest&)> lookup;
+        std::function<void(ViewRequest&)> lookup, texels;
         if (reflection.enabled && !isUnderwater()) {
             const reference::TargetCamera target =
                 targetCamera(reflectionView(camera, aspect(), settings.water, reflection, false));
+            texels = [target, edge = reflection.targetSize](ViewRequest& view) {
+                view.approximations.reflectionTexels = {target, edge};
+            };
             const bool searches = reflection.method == ReflectionOptions::Method::iterative;
             lookup = [target, steps = searches ? reflection.steps : 0, c = reflection.distance](ViewRequest& view) {
                 view.approximations.reflection = target;
@@ -122,7 +130,7 @@ struct Parts {
              {"reflection.method", "iterative"},
              {"reflection.steps", atLeast(16, reflection.steps)}},
             lookup);
-        add("reflection texture", {{"reflection.target_size", atLeast(2048, reflection.targetSize)}});
+        add("reflection texture", {{"reflection.target_size", atLeast(2048, reflection.targetSize)}}, texels);
     }
 
     void addFresnel()
@@ -154,9 +162,20 @@ struct Parts {
                 else view.flatLight = true;
             });
         const SunlightOptions& sunlight = options().sunlight;
-        add("shadow map", {{"sunlight.shadows", "true"},
-                           {"sunlight.map_size", atLeast(4096, sunlight.mapSize)},
-                           {"sunlight.taps", atLeast(3, sunlight.taps)}});
+        std::function<void(ViewRequest&)> shadows;
+        if (sunlight.shadows && scene.sun) {
+            const LevelRect rect = sunVolume(settings.water, worldBounds(scene), scene.sun->direction).rect;
+            const reference::ShadowTexels map{.rect = glm::dvec4(rect.centre, rect.halfExtent),
+                                              .edge = sunlight.mapSize,
+                                              .taps = sunlight.taps,
+                                              .bias = static_cast<double>(sunlight.bias)};
+            shadows = [map](ViewRequest& view) { view.approximations.shadows = map; };
+        }
+        add("shadow map",
+            {{"sunlight.shadows", "true"},
+             {"sunlight.map_size", atLeast(4096, sunlight.mapSize)},
+             {"sunlight.taps", atLeast(3, sunlight.taps)}},
+            shadows);
     }
 
     void addFrame()
@@ -173,9 +192,9 @@ struct Parts {
 
 } // namespace
 
-std::vector<BudgetPart> budgetParts(const Settings& settings, const Camera& camera, ivec2 size)
+std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings, const Camera& camera, ivec2 size)
 {
-    Parts parts{settings, camera, size};
+    Parts parts{scene, asDrawn(settings, scene), camera, size};
     parts.addSurface();
     parts.addRefraction();
     parts.addReflection();
@@ -208,7 +227,7 @@ class BudgetBench {
 public:
     BudgetBench(const BudgetRequest& request, Session& session, const reference::Tracer& tracer, Progress* progress)
         : request_(request), session_(session), tracer_(tracer), progress_(progress),
-          parts_(budgetParts(asDrawn(request.settings, request.scene), request.camera, request.size))
+          parts_(budgetParts(request.scene, request.settings, request.camera, request.size))
     {
     }
 

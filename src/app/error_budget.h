@@ -28,7 +28,7 @@ struct BudgetPart {
 };
 
 /// The parts of these settings' frame, seen from this camera.
-std::vector<BudgetPart> budgetParts(const Settings& settings, const Camera& camera, ivec2 size);
+std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings, const Camera& camera, ivec2 size);
 
 struct BudgetRequest {
     const Scene& scene;

@@ -17,6 +17,20 @@ struct TargetCamera {
     bool throughFlatWater = false; ///< its rays are refracted by a flat surface at the water's level
 };
 
+/// The grid of a target's texels, laid over the truth.
+struct TargetTexels {
+    TargetCamera camera;
+    int edge = 512; ///< texels
+};
+
+/// The sun's depth map over the water's level (shaders/passes/sun_maps.glsl); rays stand for its depths.
+struct ShadowTexels {
+    glm::dvec4 rect{0.0}; ///< centre x, z and half extent, m
+    int edge = 2048;      ///< texels
+    int taps = 2;         ///< comparisons along one edge of its filter
+    double bias = 0.02;   ///< m
+};
+
 /// Everything off is the truth. Each is what the viewer does, at the viewer's parameters but with rays in place of
 /// textures, so that only the named thing is approximate. All concern what the eye sees of the surface from above, at
 /// its ray's first meeting with it.
@@ -30,6 +44,9 @@ struct Approximations {
     std::optional<TargetCamera> reflection; ///< what is mirrored is what this camera sees
     int reflectionSteps = 0;                ///< looks of the search; 0: at `reflectionDistance` instead
     double reflectionDistance = 1.0;        ///< c of W = U + cR (eq. 6), m
+
+    std::optional<TargetTexels> refractionTexels, reflectionTexels; ///< rays end in the middle of a texel near W
+    std::optional<ShadowTexels> shadows; ///< of the sun over the water, wherever the eye looks
 };
 
 } // namespace tarn::reference

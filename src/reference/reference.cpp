@@ -148,6 +148,11 @@ std::string identityOf(const Approximations& rough)
     if (rough.reflection)
         text += fmt::format("; reflection {} {}", rough.reflectionSteps, rough.reflectionDistance) +
                 identityOf(*rough.reflection);
+    for (const auto& texels : {rough.refractionTexels, rough.reflectionTexels})
+        if (texels) text += fmt::format("; texels {}", texels->edge) + identityOf(texels->camera);
+    if (const auto& map = rough.shadows)
+        text += fmt::format("; shadows {},{} {},{} {} {} {}", map->rect.x, map->rect.y, map->rect.z, map->rect.w, map->edge,
+                            map->taps, map->bias);
     return text;
 }
 

@@ -8,7 +8,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -253,14 +252,10 @@ vec3 SunMap::sumAt(const Map& map, ivec2 texel, int layer, int half)
 std::optional<vec3> SunMap::relativeIrradiance(const dvec3& point, double footprint) const
 {
     if (filter_ == 0 || maps_.empty()) return unfiltered(point, footprint);
-    constexpr std::array<std::array<float, 5>, 2> rows{{{0.0f, 0.25f, 0.5f, 0.25f, 0.0f},
-                                                        {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f}}};
-    const auto& row = rows[filter_ == 1 ? 0 : 1];
     vec3 sum(0.0f);
-    for (int j = -2; j <= 2; ++j)
-        for (int i = -2; i <= 2; ++i) {
-            const float weight = row[static_cast<std::size_t>(i + 2)] * row[static_cast<std::size_t>(j + 2)];
-            if (weight == 0.0f) continue;
+    for (int j = -filter_; j <= filter_; ++j)
+        for (int i = -filter_; i <= filter_; ++i) {
+            const float weight = optics::causticsFilterWeight(filter_, i) * optics::causticsFilterWeight(filter_, j);
             const auto light = unfiltered(point + maps_.front().texel * dvec3(i, 0.0, j), footprint);
             if (!light) return std::nullopt;
             sum += weight * *light;

@@ -105,7 +105,10 @@ double madeBy(const char* part, const Scene& scene, const Options& options)
     const Settings settings{options, scene.water};
     const ViewRequest exact{.camera = lakeCamera(), .size = size, .approximations = {}};
     ViewRequest rough = exact;
-    partOf(budgetParts(settings, exact.camera, size), part).approximate(rough);
+    Scene light; // the bed's few triangles would rule the flat camera out; rays do not mind them
+    light.water = scene.water;
+    light.sun = scene.sun;
+    partOf(budgetParts(light, settings, exact.camera, size), part).approximate(rough);
     const reference::ReferenceOptions few{.samples = 4, .photons = 10'000};
     const auto pictures = Tracer(scene, scene.water).renderAll({{exact, few}, {rough, few}});
     double sum = 0.0;
@@ -177,9 +180,33 @@ TEST(Approximations, FineGridsAndMapsAreTheTruth)
         options.water.gridSize = 1025;
         EXPECT_LT(madeBy(part, lake, options), 0.05 * coarse) << part;
     }
+    for (const Moved mode : {Moved::main, Moved::snell, Moved::flat}) {
+        Options coarse = withRefraction(mode, 3), fine = coarse;
+        coarse.refraction.targetSize = coarse.reflection.targetSize = 16;
+        fine.refraction.targetSize = fine.reflection.targetSize = 4096;
+        for (const char* part : {"refraction texture", "reflection texture"}) {
+            EXPECT_GT(madeBy(part, lake, coarse), 1e-3) << part;
+            EXPECT_LT(madeBy(part, lake, fine), 0.1 * madeBy(part, lake, coarse)) << part;
+        }
+    }
     EXPECT_EQ(madeBy("Schlick's Fresnel", lake, Options{}), 0.0); // the frame's is exact
     options.water.fresnel = WaterOptions::Fresnel::schlick;
     EXPECT_GT(madeBy("Schlick's Fresnel", lake, options), 1e-3);
+}
+
+TEST(Approximations, AFineShadowMapCastsTheTrueShadow)
+{
+    Scene scene = test::flatLake(1.0f, 10.0f);
+    scene.sun = Sun{glm::normalize(vec3(0.5f, 1.0f, 0.3f)), vec3(10.0f), false};
+    const int stone = test::addMaterial(scene, vec3(0.5f));
+    test::addFloor(scene, 0.1f, 12.0f, stone); // over the water
+    test::addBox(scene, {-1.0f, 1.0f, -2.0f}, {1.0f, 1.5f, 0.0f}, stone);
+    Options options;
+    options.sunlight.mapSize = 16;
+    const double coarse = madeBy("shadow map", scene, options);
+    EXPECT_GT(coarse, 0.02);
+    options.sunlight.mapSize = 8192;
+    EXPECT_LT(madeBy("shadow map", scene, options), 0.15 * coarse);
 }
 
 /// With still water all of the sun's light is even, whatever the texel and the filter.
@@ -210,15 +237,15 @@ TEST(BudgetParts, AreOptionsThatThereAre)
     diver.eye.y = -0.5f;
     for (const Camera& camera : {lakeCamera(), diver}) {
         const Settings settings{Options{}, lake.water};
-        const auto parts = budgetParts(settings, camera, size);
+        const auto parts = budgetParts(lake, settings, camera, size);
         Settings exact = settings;
         for (const BudgetPart& part : parts)
             EXPECT_NO_THROW(exact = changedSettings(exact, part.exact, part.name)) << part.name;
         // Whatever is exact stays so: nothing is left to be taken out.
-        for (const BudgetPart& part : budgetParts(exact, camera, size))
+        for (const BudgetPart& part : budgetParts(lake, exact, camera, size))
             EXPECT_EQ(settingsJson(changedSettings(exact, part.exact, part.name)), settingsJson(exact)) << part.name;
     }
-    EXPECT_FALSE(partOf(budgetParts({Options{}, lake.water}, diver, size), "reflection lookup").approximate);
+    EXPECT_FALSE(partOf(budgetParts(lake, {Options{}, lake.water}, diver, size), "reflection lookup").approximate);
 }
 
 TEST(Approximations, AreInThePicturesIdentity)
@@ -229,7 +256,7 @@ TEST(Approximations, AreInThePicturesIdentity)
     Options options;
     options.water.normals = WaterOptions::Normals::vertex;
     options.water.fresnel = WaterOptions::Fresnel::schlick;
-    for (const BudgetPart& part : budgetParts({options, lake.water}, exact.camera, size)) {
+    for (const BudgetPart& part : budgetParts(lake, {options, lake.water}, exact.camera, size)) {
         if (!part.approximate) continue;
         ViewRequest rough = exact;
         part.approximate(rough);
