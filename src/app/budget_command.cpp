@@ -17,7 +17,8 @@ void run(const BudgetCommand& command)
     const Camera camera = chooseCamera(stage.scene, command.view.camera);
     const Settings& settings = stage.settings;
     if (!settings.water.present || !settings.options.water.enabled)
-        throw Error("{}: has no water, and so none of the errors that a budget parts", stage.scene.file.string());
+        throw Error("{}: has no water, and so none of the errors that a budget parts",
+                    stage.scene.file.string());
 
     Session session(stage, command.view.size, &progress);
     const reference::Tracer tracer(stage.scene, settings.water, settings.options.water.sunRoughness);

@@ -37,7 +37,8 @@ reference::TargetCamera targetCamera(const View& view)
 Settings asDrawn(Settings settings, const Scene& scene)
 {
     RefractionOptions::CameraMode& camera = settings.options.refraction.camera;
-    if (camera == RefractionOptions::CameraMode::flat && coarseEdgeUnderWater(scene, settings.water) > longestBedEdge)
+    if (camera == RefractionOptions::CameraMode::flat &&
+        coarseEdgeUnderWater(scene, settings.water) > longestBedEdge)
         camera = RefractionOptions::CameraMode::snell;
     return settings;
 }
@@ -99,11 +100,14 @@ struct Parts {
                 view.approximations.planarRefraction = planar;
             };
         }
-        add("moved camera's coverage", {{"refraction.enabled", "true"}, {"refraction.camera", "flat"}}, coverage);
+        add("moved camera's coverage", {{"refraction.enabled", "true"}, {"refraction.camera", "flat"}},
+            coverage);
         add("intersection",
-            {{"refraction.method", "iterative"}, {"refraction.steps", atLeast(24, refraction.steps)}}, intersection);
+            {{"refraction.method", "iterative"}, {"refraction.steps", atLeast(24, refraction.steps)}},
+            intersection);
         add("refraction texture",
-            {{"refraction.target_size", atLeast(2048, refraction.targetSize)}, {"refraction.depth", "depth32f"}},
+            {{"refraction.target_size", atLeast(2048, refraction.targetSize)},
+             {"refraction.depth", "depth32f"}},
             texels);
         if (isUnderwater()) add("rays that leave the water", {{"underwater.refraction", "exact"}});
     }
@@ -119,7 +123,8 @@ struct Parts {
                 view.approximations.reflectionTexels = {target, edge};
             };
             const bool searches = reflection.method == ReflectionOptions::Method::iterative;
-            lookup = [target, steps = searches ? reflection.steps : 0, c = reflection.distance](ViewRequest& view) {
+            lookup = [target, steps = searches ? reflection.steps : 0,
+                      c = reflection.distance](ViewRequest& view) {
                 view.approximations.reflection = target;
                 view.approximations.reflectionSteps = steps;
                 view.approximations.reflectionDistance = static_cast<double>(c);
@@ -158,8 +163,10 @@ struct Parts {
              {"caustics.photons", atLeast(1024, caustics.photons)},
              {"caustics.steps", atLeast(8, caustics.steps)}},
             [texture, enabled = caustics.enabled](ViewRequest& view) {
-                if (enabled) view.causticsTexture = texture;
-                else view.flatLight = true;
+                if (enabled)
+                    view.causticsTexture = texture;
+                else
+                    view.flatLight = true;
             });
         const SunlightOptions& sunlight = options().sunlight;
         std::function<void(ViewRequest&)> shadows;
@@ -185,14 +192,16 @@ struct Parts {
         add("clip planes", {{"refraction.clip_offset", offset(options().refraction.clipOffset)},
                             {"reflection.clip_offset", offset(options().reflection.clipOffset)}});
         constexpr int across = 3;
-        add("samples of a pixel", {{"frame.msaa", atLeast(4, options().frame.msaa)}, {"frame.anisotropy", "16"}});
+        add("samples of a pixel",
+            {{"frame.msaa", atLeast(4, options().frame.msaa)}, {"frame.anisotropy", "16"}});
         list.back().supersampling = across;
     }
 };
 
 } // namespace
 
-std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings, const Camera& camera, ivec2 size)
+std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings, const Camera& camera,
+                                    ivec2 size)
 {
     Parts parts{scene, asDrawn(settings, scene), camera, size};
     parts.addSurface();
@@ -218,18 +227,19 @@ Image reduced(const Image& large, int across)
     for (int y = 0; y < small.height * across; ++y)
         for (int x = 0; x < small.width * across; ++x)
             for (std::size_t c = 0; c < static_cast<std::size_t>(large.channels); ++c)
-                small.floats[at(small, x / across, y / across) + c] += share * large.floats[at(large, x, y) + c];
+                small.floats[at(small, x / across, y / across) + c] +=
+                    share * large.floats[at(large, x, y) + c];
     return small;
 }
 
 /// Frames and references of one view, and how much they differ.
 class BudgetBench {
 public:
-    BudgetBench(const BudgetRequest& request, Session& session, const reference::Tracer& tracer, Progress* progress)
+    BudgetBench(const BudgetRequest& request, Session& session, const reference::Tracer& tracer,
+                Progress* progress)
         : request_(request), session_(session), tracer_(tracer), progress_(progress),
           parts_(budgetParts(request.scene, request.settings, request.camera, request.size))
-    {
-    }
+    {}
 
     ErrorBudget measure()
     {
@@ -245,7 +255,8 @@ public:
 private:
     ViewRequest exactView() const
     {
-        return {.camera = request_.camera, .time = request_.time, .size = request_.size, .approximations = {}};
+        return {
+            .camera = request_.camera, .time = request_.time, .size = request_.size, .approximations = {}};
     }
     Image shown(const reference::Picture& picture) const
     {
@@ -258,7 +269,8 @@ private:
         const reference::ReferenceOptions& options = request_.reference;
         std::vector<reference::Tracer::Request> requests{{exactView(), options}};
         std::vector<double*> figures{nullptr};
-        const auto ask = [&](const ViewRequest& view, const reference::ReferenceOptions& how, double& figure) {
+        const auto ask = [&](const ViewRequest& view, const reference::ReferenceOptions& how,
+                             double& figure) {
             figure = 0.0;
             if (tracer_.identity(view, how) == tracer_.identity(exactView(), options)) return;
             requests.push_back({view, how});
@@ -308,7 +320,8 @@ private:
             row.exact = differences(base, parts_[i]);
             const int across = parts_[i].supersampling;
             mostAcross = std::max(mostAcross, across);
-            if (across > 1) row.exact += fmt::format("{}{}x{} in a pixel", row.exact.empty() ? "" : " ", across, across);
+            if (across > 1)
+                row.exact += fmt::format("{}{}x{} in a pixel", row.exact.empty() ? "" : " ", across, across);
             row.removed = row.exact.empty() ? 0.0 : budget.total - frameError(changed, truth, across);
             if (progress_)
                 progress_->report(static_cast<double>(i + 1) / static_cast<double>(parts_.size()),

@@ -7,7 +7,8 @@
 
 namespace tarn::reference {
 
-/// The camera of one of the frame's targets. Rays stand for its texels, so that it sees all that they could hold.
+/// The camera of one of the frame's targets. Rays stand for its texels, so that it sees all that they could
+/// hold.
 struct TargetCamera {
     glm::dmat4 viewFromWorld{1.0}; ///< looks along -z; may mirror
     glm::dvec2 tangents{1.0};      ///< of half its field of view, across and up
@@ -31,21 +32,22 @@ struct ShadowTexels {
     double bias = 0.02;   ///< m
 };
 
-/// Everything off is the truth. Each is what the viewer does, at the viewer's parameters but with rays in place of
-/// textures, so that only the named thing is approximate. All concern what the eye sees of the surface from above, at
-/// its ray's first meeting with it.
+/// Everything off is the truth. Each is what the viewer does, at the viewer's parameters but with rays in
+/// place of textures, so that only the named thing is approximate. All concern what the eye sees of the
+/// surface from above, at its ray's first meeting with it.
 struct Approximations {
     float schlickExponent = 0.0f; ///< > 0: Fresnel by Schlick
 
     std::optional<TargetCamera> refraction; ///< the bed is what this camera sees where W is
-    int refractionSteps = 0;                ///< looks that the search for W takes (Mihálik 2008, 7.1); 0: the true W
-    bool planarRefraction = false;          ///< the first approximation stands for the search
+    int refractionSteps = 0;       ///< looks that the search for W takes (Mihálik 2008, 7.1); 0: the true W
+    bool planarRefraction = false; ///< the first approximation stands for the search
 
     std::optional<TargetCamera> reflection; ///< what is mirrored is what this camera sees
     int reflectionSteps = 0;                ///< looks of the search; 0: at `reflectionDistance` instead
     double reflectionDistance = 1.0;        ///< c of W = U + cR (eq. 6), m
 
-    std::optional<TargetTexels> refractionTexels, reflectionTexels; ///< rays end in the middle of a texel near W
+    std::optional<TargetTexels> refractionTexels,
+        reflectionTexels;                ///< rays end in the middle of a texel near W
     std::optional<ShadowTexels> shadows; ///< of the sun over the water, wherever the eye looks
 };
 

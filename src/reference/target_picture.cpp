@@ -9,8 +9,7 @@ namespace tarn::reference {
 TargetPicture::TargetPicture(const TargetCamera& camera, const Geometry& geometry, double level, double ior)
     : camera_(camera), geometry_(geometry), worldFromView_(glm::inverse(camera.viewFromWorld)),
       eye_(worldFromView_[3]), level_(level), ior_(ior)
-{
-}
+{}
 
 /// The nearest that the camera draws of a part of a ray.
 TargetPicture::Seen TargetPicture::seenFrom(const Ray& ray, double from, double to) const
@@ -18,9 +17,10 @@ TargetPicture::Seen TargetPicture::seenFrom(const Ray& ray, double from, double 
     const double side = camera_.keepsAbove ? 1.0 : -1.0;
     const double start = side * (ray.origin.y - camera_.clipLevel), rate = side * ray.direction.y;
     // Drawn is where start + t · rate >= 0.
-    if (std::abs(rate) > 1e-12) (rate > 0.0 ? from : to) = rate > 0.0 ? std::max(from, -start / rate)
-                                                                      : std::min(to, -start / rate);
-    else if (start < 0.0) to = from;
+    if (std::abs(rate) > 1e-12)
+        (rate > 0.0 ? from : to) = rate > 0.0 ? std::max(from, -start / rate) : std::min(to, -start / rate);
+    else if (start < 0.0)
+        to = from;
     Seen seen{ray, std::nullopt, dvec3(0.0)};
     if (from < to) seen.hit = geometry_.intersect(ray, from, to);
     if (seen.hit) seen.point = ray.origin + seen.hit->distance * ray.direction;
@@ -38,7 +38,8 @@ TargetPicture::Seen TargetPicture::alongLine(const dvec3& direction) const
     if (seen.hit) return seen;
     seen.point = eye_ + farthest * direction;
     if (inAir >= farthest) return seen;
-    const Ray bent{eye_ + inAir * direction, optics64::refractRay(direction, dvec3(0.0, 1.0, 0.0), 1.0 / ior_)};
+    const Ray bent{eye_ + inAir * direction,
+                   optics64::refractRay(direction, dvec3(0.0, 1.0, 0.0), 1.0 / ior_)};
     seen = seenFrom(bent, 0.0, farthest - inAir);
     if (!seen.hit) seen.point = bent.origin + (farthest - inAir) * bent.direction;
     return seen;
@@ -46,7 +47,8 @@ TargetPicture::Seen TargetPicture::alongLine(const dvec3& direction) const
 
 TargetPicture::Seen TargetPicture::seenAt(const dvec3& place) const
 {
-    const dvec3 p = inView(camera_.throughFlatWater ? optics64::flatApparent(eye_, place, level_, ior_) : place);
+    const dvec3 p =
+        inView(camera_.throughFlatWater ? optics64::flatApparent(eye_, place, level_, ior_) : place);
     const dvec2 tangent = glm::clamp(dvec2(p) / std::max(-p.z, 1e-6), -camera_.tangents, camera_.tangents);
     return alongLine(glm::normalize(dmat3(worldFromView_) * dvec3(tangent, -1.0)));
 }
@@ -78,7 +80,8 @@ dvec3 TargetPicture::search(const dvec3& U, const dvec3& direction, int steps, b
                 hit = optics64::planarIntersection(u, r, a);
             } else {
                 auto state = optics64::intersectionBegin(u, r, a);
-                for (int i = 1; i < steps; ++i) state = optics64::intersectionStepSeen(state, seen(state.W));
+                for (int i = 1; i < steps; ++i)
+                    state = optics64::intersectionStepSeen(state, seen(state.W));
                 hit = state.best;
                 a = state.bestA;
             }
@@ -96,7 +99,8 @@ dvec3 TargetPicture::search(const dvec3& U, const dvec3& direction, int steps, b
         state.best = optics64::planarIntersection(u, r, first);
         state.bestA = first;
     } else {
-        for (int i = 1; i < steps; ++i) state = optics64::intersectionStep(state, depthAt(state.W));
+        for (int i = 1; i < steps; ++i)
+            state = optics64::intersectionStep(state, depthAt(state.W));
     }
     A = inWorld(state.bestA);
     return inWorld(state.best);

@@ -22,7 +22,8 @@ public:
     /// What stands at a place's pixel, before or behind the place; past the picture's border, at its border.
     Seen seenAt(const dvec3& place) const;
 
-    /// The middle of one of the four texels about a place, as deep in the picture as that, by chance of its bilinear weight.
+    /// The middle of one of the four texels about a place, as deep in the picture as that, by chance of its
+    /// bilinear weight.
     /// @param chance two numbers from 0 to 1
     dvec3 inTexel(const dvec3& place, int edge, const dvec2& chance) const;
 

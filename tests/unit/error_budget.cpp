@@ -1,4 +1,5 @@
-// Which part of a picture's error each approximation owns: the sums, and the approximations that the reference makes.
+// Which part of a picture's error each approximation owns: the sums, and the approximations that the
+// reference makes.
 #include "app/error_budget.h"
 #include "app/trade_lab.h"
 #include "measure/trade/trade_json.h"
@@ -21,7 +22,9 @@ constexpr double none = ErrorBudget::none;
 ErrorBudget someBudget()
 {
     return {.quantity = "mean FLIP",
-            .rows = {{"refraction", 0.03, 0.02, "refraction.steps=24"}, {"shadow map", none, -0.005}, {"clip", 0.01, none}},
+            .rows = {{"refraction", 0.03, 0.02, "refraction.steps=24"},
+                     {"shadow map", none, -0.005},
+                     {"clip", 0.01, none}},
             .total = 0.06,
             .together = 0.035,
             .remaining = 0.02,
@@ -39,12 +42,13 @@ TEST(ErrorBudget, SumsLeaveOutWhatIsNotMeasured)
 TEST(ErrorBudget, TableShowsPartsWholeAndWhatIsUnexplained)
 {
     const std::string table = budgetTable(someBudget());
-    for (const char* line : {"  refraction                           0.0300     0.0200  refraction.steps=24\n",
-                             "  shadow map                                -    -0.0050\n",
-                             "  sum of the parts                     0.0400     0.0150\n",
-                             "  all at once                          0.0350     0.0400\n",
-                             "  the frame                                       0.0600  its error as it is\n",
-                             "  unexplained                                     0.0200  its error with all of them taken out\n"})
+    for (const char* line :
+         {"  refraction                           0.0300     0.0200  refraction.steps=24\n",
+          "  shadow map                                -    -0.0050\n",
+          "  sum of the parts                     0.0400     0.0150\n",
+          "  all at once                          0.0350     0.0400\n",
+          "  the frame                                       0.0600  its error as it is\n",
+          "  unexplained                                     0.0200  its error with all of them taken out\n"})
         EXPECT_NE(table.find(line), std::string::npos) << line << "is not in\n" << table;
 }
 
@@ -69,12 +73,14 @@ Scene rampLake(bool hasWaves)
     ramp.width = 256;
     ramp.height = 1;
     ramp.channels = 3;
-    for (int i = 0; i < 256; ++i) ramp.floats.insert(ramp.floats.end(), 3, (static_cast<float>(i) + 0.5f) / 256.0f);
+    for (int i = 0; i < 256; ++i)
+        ramp.floats.insert(ramp.floats.end(), 3, (static_cast<float>(i) + 0.5f) / 256.0f);
     scene.images.push_back(ramp);
     scene.materials[0].diffuse = vec3(0.0f);
     scene.materials[0].emissive = vec3(4.0f);
     scene.materials[0].emissiveMap = 0;
-    for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv = vec2(vertex.position.x / edge + 0.5f, 0.5f);
+    for (Vertex& vertex : scene.meshes[0].vertices)
+        vertex.uv = vec2(vertex.position.x / edge + 0.5f, 0.5f);
     const int lamp = test::addMaterial(scene, vec3(0.0f));
     scene.materials[static_cast<std::size_t>(lamp)].emissive = vec3(5.0f, 2.0f, 0.5f);
     test::addBox(scene, {-2.0f, 0.5f, -6.0f}, {2.0f, 2.5f, -5.0f}, lamp);
@@ -94,7 +100,8 @@ constexpr ivec2 size{32, 24};
 
 const BudgetPart& partOf(const std::vector<BudgetPart>& parts, const std::string& name)
 {
-    const auto found = std::find_if(parts.begin(), parts.end(), [&](const BudgetPart& part) { return part.name == name; });
+    const auto found =
+        std::find_if(parts.begin(), parts.end(), [&](const BudgetPart& part) { return part.name == name; });
     if (found == parts.end()) throw std::out_of_range(name);
     return *found;
 }
@@ -156,7 +163,8 @@ TEST(Approximations, WavesTellLookupsFromTheTruth)
     EXPECT_GT(near, 0.01);
     // The box stands some seven metres along the rays.
     EXPECT_LT(madeBy("reflection lookup", lake, withReflection(Mirror::distance, 1, 7.0f)), 0.8 * near);
-    // A search from the sky's distance may step over so small a thing, but not over a shore with something on it.
+    // A search from the sky's distance may step over so small a thing, but not over a shore with something on
+    // it.
     Scene shore = rampLake(true);
     test::addBox(shore, {-30.0f, -0.5f, -7.0f}, {30.0f, 9.0f, -6.5f}, test::addMaterial(shore, vec3(0.2f)));
     const double close = madeBy("reflection lookup", shore, withReflection(Mirror::distance, 1, 1.0f));
@@ -243,9 +251,11 @@ TEST(BudgetParts, AreOptionsThatThereAre)
             EXPECT_NO_THROW(exact = changedSettings(exact, part.exact, part.name)) << part.name;
         // Whatever is exact stays so: nothing is left to be taken out.
         for (const BudgetPart& part : budgetParts(lake, exact, camera, size))
-            EXPECT_EQ(settingsJson(changedSettings(exact, part.exact, part.name)), settingsJson(exact)) << part.name;
+            EXPECT_EQ(settingsJson(changedSettings(exact, part.exact, part.name)), settingsJson(exact))
+                << part.name;
     }
-    EXPECT_FALSE(partOf(budgetParts(lake, {Options{}, lake.water}, diver, size), "reflection lookup").approximate);
+    EXPECT_FALSE(
+        partOf(budgetParts(lake, {Options{}, lake.water}, diver, size), "reflection lookup").approximate);
 }
 
 TEST(Approximations, AreInThePicturesIdentity)

@@ -6,11 +6,12 @@
 
 namespace tarn {
 
-double sumOfParts(const ErrorBudget& budget, double ErrorBudget::Row::* figure)
+double sumOfParts(const ErrorBudget& budget, double ErrorBudget::Row::*figure)
 {
     double sum = ErrorBudget::none;
     for (const ErrorBudget::Row& row : budget.rows)
-        if (const double value = row.*figure; std::isfinite(value)) sum = std::isfinite(sum) ? sum + value : value;
+        if (const double value = row.*figure; std::isfinite(value))
+            sum = std::isfinite(sum) ? sum + value : value;
     return sum;
 }
 

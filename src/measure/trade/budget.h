@@ -8,8 +8,8 @@
 
 namespace tarn {
 
-/// Parts and whole from both ends: the reference with approximations put into it, the frame with them taken out. NaN
-/// stands for what was not, or cannot be, measured.
+/// Parts and whole from both ends: the reference with approximations put into it, the frame with them taken
+/// out. NaN stands for what was not, or cannot be, measured.
 struct ErrorBudget {
     static constexpr double none = ErrorFigures::none;
     struct Row {
@@ -20,15 +20,16 @@ struct ErrorBudget {
     };
     std::string quantity; ///< "mean FLIP"
     std::vector<Row> rows;
-    double total = 0.0;       ///< error of the frame as it is
-    double together = none;   ///< error of the reference with every part in it that has a value alone
-    double remaining = none;  ///< error of the frame with every part exact: what the parts do not explain
-    double noise = none;      ///< of the reference: its error against itself with other random numbers
-    double unmodelled = none; ///< what light between surfaces changes in the reference; neither side of `total` has it
+    double total = 0.0;      ///< error of the frame as it is
+    double together = none;  ///< error of the reference with every part in it that has a value alone
+    double remaining = none; ///< error of the frame with every part exact: what the parts do not explain
+    double noise = none;     ///< of the reference: its error against itself with other random numbers
+    double unmodelled =
+        none; ///< what light between surfaces changes in the reference; neither side of `total` has it
 };
 
 /// Sum over the rows that have a value; none when no row has one.
-double sumOfParts(const ErrorBudget& budget, double ErrorBudget::Row::* figure);
+double sumOfParts(const ErrorBudget& budget, double ErrorBudget::Row::*figure);
 
 /// As a person reads it, columns of fixed width.
 std::string budgetTable(const ErrorBudget& budget);
