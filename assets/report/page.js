@@ -252,13 +252,21 @@ function fillPictures() {
 function budgetShown() {
   const budgets = (shown.view === 0 ? data.budgets : [data.budgets[shown.view - 1]]).filter(Boolean);
   if (budgets.length === 0) return null;
-  const mean = values => values.reduce((sum, value) => sum + (value ?? 0), 0) / budgets.length;
+  const mean = all => { // null where there is nothing to measure
+    const values = all.filter(value => typeof value === "number");
+    return values.length === 0 ? null : values.reduce((sum, value) => sum + value, 0) / values.length;
+  };
+  const whole = what => mean(budgets.map(budget => budget[what]));
   const parts = [...new Set(budgets.flatMap(budget => budget.rows.map(row => row.part)))];
   const of = (part, what) => mean(budgets.map(budget => budget.rows.find(row => row.part === part)?.[what]));
   return {
     quantity: budgets[0].quantity,
-    total: mean(budgets.map(budget => budget.total)),
-    rows: parts.map(part => ({ part, alone: of(part, "alone"), removed: of(part, "removed") })),
+    total: whole("total"), together: whole("together"), remaining: whole("remaining"), noise: whole("noise"),
+    unmodelled: whole("unmodelled"),
+    rows: parts.map(part => ({
+      part, alone: of(part, "alone"), removed: of(part, "removed"),
+      exact: budgets.flatMap(budget => budget.rows).find(row => row.part === part)?.exact,
+    })),
   };
 }
 
@@ -268,21 +276,26 @@ function redrawBudget() {
   if (!budget) return $("budget").replaceChildren(make("tbody", null, make("tr", null, make("td", "Not measured in this view."))));
   budget.rows.sort((a, b) => b.removed - a.removed);
   const largest = Math.max(...budget.rows.map(row => Math.max(row.removed, row.alone)), budget.total, 1e-12);
-  const line = (part, alone, removed, style) => {
+  const line = (part, alone, removed, style, exact) => {
     const bar = make("td", null, make("span"));
     bar.className = "bar";
     bar.firstChild.style.width = Math.max(0, 100 * removed / largest) + "%";
     const row = make("tr", null, make("td", part), make("td", short(alone)), make("td", short(removed)), bar);
     row.className = style;
+    if (exact) row.title = "exact: " + exact;
     return row;
   };
-  const sum = what => budget.rows.reduce((total, row) => total + row[what], 0);
+  const sum = what => budget.rows.reduce((total, row) => total + (row[what] ?? 0), 0);
+  const fall = budget.remaining === null ? null : budget.total - budget.remaining;
   const head = make("tr", null, make("th", "Part"), make("th", "alone"), make("th", "taken out"), make("th", budget.quantity));
   $("budget").replaceChildren(make("thead", null, head), make("tbody", null,
-    ...budget.rows.map(row => line(row.part, row.alone, row.removed, "")),
+    ...budget.rows.map(row => line(row.part, row.alone, row.removed, "", row.exact)),
     line("Sum of the parts", sum("alone"), sum("removed"), "sum"),
+    line("All at once", budget.together, fall, ""),
     line("Error of the frame", null, budget.total, ""),
-    line("Unexplained", null, budget.total - sum("removed"), "")));
+    line("Unexplained: all of them taken out", null, budget.remaining, ""),
+    ...(budget.noise === null ? [] : [line("Noise of the reference", null, budget.noise, "")]),
+    ...(budget.unmodelled === null ? [] : [line("Light between surfaces, in neither picture", budget.unmodelled, null, "")])));
 }
 
 function redraw() {

@@ -349,6 +349,21 @@ std::function<Command()> defineTune(Flags& flags)
     };
 }
 
+std::function<Command()> defineBudget(Flags& flags)
+{
+    auto command = std::make_shared<BudgetCommand>();
+    BudgetCommand& c = *command;
+    c.view.size = {320, 240};
+    c.reference.samples = 32;
+    c.reference.photons = 4'000'000; // traced anew for every part that bends light
+    addScene(flags, c.scene);
+    addView(flags, c.view);
+    flags.count("--samples", "Paths through each pixel of the reference", c.reference.samples, 1, 65536);
+    flags.count("--photons", "Photons that find the sun's light under water", c.reference.photons, 10'000, 2'000'000'000);
+    flags.text("--json", "FILE", jsonDoc, c.json);
+    return [command] { return *command; };
+}
+
 std::function<Command()> defineExplain(Flags& flags)
 {
     auto command = std::make_shared<ExplainCommand>();
@@ -421,6 +436,7 @@ constexpr CommandRow commands[] = {
     {"bench", "Measure what a frame and its passes cost, with the water and without", defineBench},
     {"trade", "Measure what options cost in time and in accuracy, and write a report", defineTrade},
     {"tune", "Find the settings that keep a limit of error or of time on this machine", defineTune},
+    {"budget", "Say which part of a picture's error each approximation owns", defineBudget},
     {"explain", "Say which passes a frame runs, and why", defineExplain},
     {"compare", "Say how different two pictures are, to the eye and in their values", defineCompare},
     {"options", "List every option", defineOptions},

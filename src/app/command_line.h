@@ -111,6 +111,13 @@ struct TuneCommand {
     std::filesystem::path out; ///< empty: standard output
 };
 
+struct BudgetCommand {
+    SceneArguments scene;
+    ViewArguments view;
+    reference::ReferenceOptions reference;
+    std::string json;
+};
+
 struct ExplainCommand {
     SceneArguments scene;
     ViewArguments view;
@@ -142,7 +149,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, CompareCommand, BenchCommand,
-                             TradeCommand, TuneCommand, ExplainCommand, OptionsCommand, InfoCommand>;
+                             TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, OptionsCommand, InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a
 /// word that is none.

@@ -14,6 +14,7 @@ void run(const ReferenceCommand& command);
 void run(const BenchCommand& command);
 void run(const TradeCommand& command);
 void run(const TuneCommand& command);
+void run(const BudgetCommand& command);
 void run(const ExplainCommand& command);
 void run(const CompareCommand& command);
 void run(const OptionsCommand& command);

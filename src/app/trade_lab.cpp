@@ -1,5 +1,6 @@
 #include "app/trade_lab.h"
 
+#include "app/error_budget.h"
 #include "app/machine.h"
 #include "app/presets.h"
 #include "app/rendered_subject.h"
@@ -119,6 +120,27 @@ public:
         const Image shown = session_.renderer().readDisplay();
         const Image truth = truth_.display(camera, arguments_.time, settings.options.frame);
         return {pngOf(shown), pngOf(truth), pngOf(heatPicture(flipMap(truth, shown), 0.0, 1.0))};
+    }
+
+    /// Each takes as long as a dozen pictures of fewer samples and some slow frames: the first views must do.
+    std::optional<ErrorBudget> budget(std::size_t view) override
+    {
+        constexpr std::size_t mostBudgets = 2;
+        const Settings& settings = stage_.settings;
+        if (view >= mostBudgets || !settings.water.present || !settings.options.water.enabled) return std::nullopt;
+        const Camera& camera = arguments_.views[view];
+        // Approximated and exact pictures have their noise in common, so that few samples tell what differs.
+        reference::ReferenceOptions few = truth_.options();
+        few.samples = std::max(few.samples / 12, 1);
+        few.photons /= 5;
+        return measureBudget({.scene = stage_.scene,
+                              .settings = settings,
+                              .camera = camera,
+                              .time = arguments_.time,
+                              .size = arguments_.size,
+                              .reference = few,
+                              .truth = &truth_.picture(camera, arguments_.time)},
+                             session_, truth_.tracer(), nullptr);
     }
 
     std::string machine() const override

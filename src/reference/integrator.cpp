@@ -1,5 +1,7 @@
 #include "reference/integrator.h"
 
+#include "reference/target_picture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -106,17 +108,94 @@ vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
     Walk mirrored = walk;
     mirrored.weight *= F;
     mirrored.showsSun = false; // the glint is its image
-    const dvec3 R = optics64::reflectRay(ray.direction, n);
-    const vec3 reflected = along({U, R}, Medium::air, mirrored);
+    dvec3 R = optics64::reflectRay(ray.direction, n);
+    // The frame knows one surface: what is seen in it of further ones is the truth's here.
+    const bool isFirst = walk.events == 1 && !walk.isIndirect;
+    Random chance = walk.random; // a copy: the path's own numbers stay those of the exact picture
+    if (isFirst && rough.reflectionTexels) R = towardsTexel(*rough.reflectionTexels, U, R, chance);
+    const vec3 reflected =
+        isFirst && rough.reflection ? lookUpMirrored(U, R, mirrored) : along({U, R}, Medium::air, mirrored);
 
     Walk passed = walk;
     passed.weight *= 1.0 - F;
-    const vec3 refracted = along({U, optics64::refractRay(ray.direction, n, 1.0 / ior)}, Medium::water, passed);
+    dvec3 bent = optics64::refractRay(ray.direction, n, 1.0 / ior);
+    if (isFirst && rough.refractionTexels) bent = towardsTexel(*rough.refractionTexels, U, bent, chance);
+    const vec3 refracted =
+        isFirst && rough.refraction ? lookUpBed(U, bent, passed) : along({U, bent}, Medium::water, passed);
 
     const auto f = static_cast<float>(F);
     vec3 sum = f * reflected + optics::radianceThroughSurface(1.0f - f, world_.light.ior) * refracted;
     if (!walk.isIndirect) sum += glint(U, n, vec3(-ray.direction));
     return sum;
+}
+
+/// The direction in which what a ray meets would be found, had the place to be the middle of a texel.
+dvec3 Integrator::towardsTexel(const TargetTexels& texels, const dvec3& U, const dvec3& direction, Random& chance) const
+{
+    const TargetPicture picture(texels.camera, world_.geometry, world_.water->level(), world_.light.ior);
+    const auto hit = world_.geometry.intersect({U, direction}, offset, farthest);
+    const dvec3 W = U + (hit ? hit->distance : texels.camera.farPlane) * direction;
+    const dvec3 way = picture.inTexel(W, texels.edge, chance.next2()) - U;
+    const double length = glm::length(way);
+    return length > 1e-6 ? way / length : direction;
+}
+
+/// Where one of the comparisons that the shadow map's filter makes for a point takes place.
+dvec3 Integrator::shadowPlace(const ShadowTexels& map, const SurfacePoint& point, const dvec2& chance) const
+{
+    const double level = world_.water ? world_.water->level() : 0.0;
+    const dvec2 slant = optics64::sunSlant(dvec3(world_.light.sunDirection));
+    const dvec2 plane = optics64::sunPlane(point.position, level, slant);
+    const dvec2 centre(map.rect.x, map.rect.y), half(map.rect.z, map.rect.w);
+    if (glm::any(glm::greaterThan(glm::abs(plane - centre), half))) return point.position;
+    const dvec2 texel = 2.0 * half / static_cast<double>(map.edge);
+    const dvec2 at = (plane - centre + half) / texel;
+    // A box of taps - 1 texels with linear edges: its texels by chance of their weights.
+    const double box = map.taps - 1;
+    const dvec2 middle = glm::floor(at + box * (chance - 0.5)) + 0.5;
+    const dvec2 there = centre - half + middle * texel;
+    const double y = point.position.y + map.bias +
+                     glm::dot(optics64::sunPlaneGradient(dvec3(point.geometricNormal), slant), there - plane);
+    const dvec2 xz = there + slant * (y - level);
+    return {xz.x, y, xz.y};
+}
+
+vec3 Integrator::lookUpBed(const dvec3& U, const dvec3& refracted, Walk walk) const
+{
+    const Approximations& rough = world_.approximations;
+    const TargetPicture picture(*rough.refraction, world_.geometry, world_.water->level(), world_.light.ior);
+    const vec3 deep = world_.light.deepRadiance;
+    dvec3 W = U, A = U;
+    if (rough.refractionSteps > 0 || rough.planarRefraction) {
+        W = picture.search(U, refracted, rough.refractionSteps, rough.planarRefraction, A);
+    } else {
+        const auto hit = world_.geometry.intersect({U, refracted}, offset, farthest);
+        if (!hit) return deep;
+        W = U + hit->distance * refracted;
+    }
+    const TargetPicture::Seen seen = picture.seenAt(W);
+    if (rough.refractionSteps == 0 && !rough.planarRefraction) A = seen.point;
+    if (!seen.hit) return deep;
+    walk.length += glm::distance(U, seen.point);
+    const bool isWet = seen.point.y < world_.water->level();
+    const vec3 bed = shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, walk);
+    const vec3 a = optics::beerLambert(world_.light.absorption, static_cast<float>(glm::distance(A, U)));
+    return optics::radianceThroughWater(bed, deep, a);
+}
+
+vec3 Integrator::lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) const
+{
+    reflected.y = std::abs(reflected.y); // as the frame has it: what a wave mirrors of the water is mirrored again
+    const Approximations& rough = world_.approximations;
+    const TargetPicture picture(*rough.reflection, world_.geometry, world_.water->level(), world_.light.ior);
+    dvec3 A;
+    const dvec3 W = rough.reflectionSteps > 0 ? picture.search(U, reflected, rough.reflectionSteps, false, A)
+                                              : U + rough.reflectionDistance * reflected;
+    const TargetPicture::Seen seen = picture.seenAt(W);
+    if (!seen.hit) return skyAlong(seen.ray.direction, walk);
+    walk.length += glm::distance(U, seen.point);
+    const bool isWet = seen.point.y < world_.water->level() && world_.water->spans(seen.point.x, seen.point.z);
+    return shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, walk);
 }
 
 vec3 Integrator::fromBelow(const Ray& ray, const dvec3& U, Walk walk) const
@@ -169,8 +248,11 @@ vec3 Integrator::sunInAir(const SurfacePoint& point, const vec3& toEye, Walk& wa
         litBy(*point.material, point.albedo, point.normal, toEye, light.sunDirection, light.sunIrradiance);
     if (lit == vec3(0.0f)) return lit;
     const dvec3 sun = glm::normalize(dvec3(light.sunDirection));
+    const dvec2 chance = walk.random.next2();
+    if (const auto& map = world_.approximations.shadows)
+        return world_.geometry.occluded({shadowPlace(*map, point, chance), sun}, offset, farthest) ? vec3(0.0f) : lit;
     const Across across(sun);
-    const dvec2 disc = std::tan(sunAngularRadius) * discFromSquare(walk.random.next2());
+    const dvec2 disc = std::tan(sunAngularRadius) * discFromSquare(chance);
     const dvec3 toSun = glm::normalize(sun + disc.x * across.a + disc.y * across.b);
     const dvec3 outward(point.geometricNormal);
     const dvec3 from = point.position + (glm::dot(outward, toSun) > 0.0 ? offset : -offset) * outward;

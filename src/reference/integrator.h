@@ -61,6 +61,10 @@ private:
     vec3 atSurface(const Ray& ray, double distance, Medium medium, Walk walk) const;
     vec3 fromAbove(const Ray& ray, const dvec3& U, Walk walk) const;
     vec3 fromBelow(const Ray& ray, const dvec3& U, Walk walk) const;
+    dvec3 towardsTexel(const TargetTexels& texels, const dvec3& U, const dvec3& direction, Random& chance) const;
+    dvec3 shadowPlace(const ShadowTexels& map, const SurfacePoint& point, const dvec2& chance) const;
+    vec3 lookUpBed(const dvec3& U, const dvec3& refracted, Walk walk) const;
+    vec3 lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) const;
     vec3 shade(const Ray& ray, const Hit& hit, Medium medium, Walk walk) const;
     vec3 sunInAir(const SurfacePoint& point, const vec3& toEye, Walk& walk) const;
     vec3 sunInWater(const SurfacePoint& point, const vec3& toEye, double footprint) const;

@@ -82,18 +82,17 @@ struct Tracer::State {
     std::optional<WaterSurface> surface(const ViewRequest& view) const
     {
         if (!body.present) return std::nullopt;
-        return WaterSurface(body, view.time, view.gridSize);
+        return WaterSurface(body, view.time, view.gridSize, view.normalGridSize);
     }
-    SunMap sunMap(const ViewRequest& view, const WaterSurface* water, const ReferenceOptions& options,
-                  Progress* progress) const;
+    SunMap sunMap(const ViewRequest& view, const ReferenceOptions& options, Progress* progress) const;
     World world(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
                 const ReferenceOptions& options) const
     {
-        World result{geometry, water, light, map, sunRoughness, options, view.approximations};
-        result.approximations.eye = dvec3(view.camera.eye);
-        return result;
+        return {geometry, water, light, map, sunRoughness, options, view.approximations};
     }
     std::string identity(const ViewRequest& view, const ReferenceOptions& options) const;
+    Picture picture(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
+                    const ReferenceOptions& options, const Accumulation& sums) const;
 };
 
 Tracer::Tracer(const Scene& scene, const WaterBody& water, float sunRoughness)
@@ -104,12 +103,16 @@ Tracer::Tracer(const Scene& scene, const WaterBody& water, float sunRoughness)
 Tracer::~Tracer() = default;
 
 /// Photons are wanted where the picture looks: a coarse picture finds out.
-SunMap Tracer::State::sunMap(const ViewRequest& view, const WaterSurface* water, const ReferenceOptions& options,
-                             Progress* progress) const
+SunMap Tracer::State::sunMap(const ViewRequest& view, const ReferenceOptions& options, Progress* progress) const
 {
-    if (!water || !light.hasSun() || view.flatLight) return {};
+    if (!body.present || !light.hasSun() || view.flatLight) return {};
+    const WaterSurface waves(body, view.time);
+    if (view.causticsTexture) {
+        const auto& [rect, texel, filter] = *view.causticsTexture;
+        return SunMap(mapInputs(waves, options.photons, options.seed), rect, texel, progress, filter);
+    }
     const SunMap none;
-    const World probe = world(view, water, none, options);
+    const World probe = world(view, &waves, none, options);
     const Integrator integrator(probe);
     // Finer than pixels for small pictures: a reference of a few pixels still needs its light.
     const double step = std::max(std::sqrt(static_cast<double>(view.size.x) * view.size.y / 30000.0), 0.25);
@@ -122,8 +125,38 @@ SunMap Tracer::State::sunMap(const ViewRequest& view, const WaterSurface* water,
     });
     std::vector<LightQuery> queries;
     for (const auto& some : found) queries.insert(queries.end(), some.begin(), some.end());
-    return SunMap(mapInputs(*water, options.photons, options.seed), queries, progress);
+    return SunMap(mapInputs(waves, options.photons, options.seed), queries, progress);
 }
+
+namespace {
+
+std::string identityOf(const TargetCamera& camera)
+{
+    std::string text = fmt::format(" {},{} far {} clip {} {} {}", camera.tangents.x, camera.tangents.y, camera.farPlane,
+                                   camera.clipLevel, camera.keepsAbove, camera.throughFlatWater);
+    for (int i = 0; i < 16; ++i) text += fmt::format(" {}", camera.viewFromWorld[i / 4][i % 4]);
+    return text;
+}
+
+std::string identityOf(const Approximations& rough)
+{
+    std::string text;
+    if (rough.schlickExponent > 0.0f) text += fmt::format("; Schlick {}", rough.schlickExponent);
+    if (rough.refraction)
+        text += fmt::format("; refraction {} {}", rough.refractionSteps, rough.planarRefraction) +
+                identityOf(*rough.refraction);
+    if (rough.reflection)
+        text += fmt::format("; reflection {} {}", rough.reflectionSteps, rough.reflectionDistance) +
+                identityOf(*rough.reflection);
+    for (const auto& texels : {rough.refractionTexels, rough.reflectionTexels})
+        if (texels) text += fmt::format("; texels {}", texels->edge) + identityOf(texels->camera);
+    if (const auto& map = rough.shadows)
+        text += fmt::format("; shadows {},{} {},{} {} {} {}", map->rect.x, map->rect.y, map->rect.z, map->rect.w, map->edge,
+                            map->taps, map->bias);
+    return text;
+}
+
+} // namespace
 
 std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOptions& options) const
 {
@@ -131,17 +164,19 @@ std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOpti
     const auto triple = [](const vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
     std::string text = fmt::format(
         "{}; eye {}; target {}; up {}; fov {}; time {}; {}x{}; depth {}; bounces {}; photons {}; seed {}; water {} {} "
-        "{},{} {},{}; grid {}; flat {}; sun {}; roughness {}; approximations {} {} {} {}",
+        "{},{} {},{}; grid {}; flat {}; sun {}; roughness {}",
         scene.file.string(), triple(c.eye), triple(c.target), triple(c.up), c.verticalFov, view.time, view.size.x,
         view.size.y, options.depth, options.bounces, options.photons, options.seed, body.level, body.ior, body.extent.x,
-        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.flatLight, triple(light.sunDirection), sunRoughness,
-        view.approximations.schlickExponent, view.approximations.reflectionDistance,
-        view.approximations.reflectionClip, view.approximations.refractionClip);
+        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.flatLight, triple(light.sunDirection), sunRoughness);
     for (const Wave& w : body.waves)
         text += fmt::format("; {} {} {} {} {}", w.amplitude, w.wavelength, w.direction, w.phase, w.period);
     text += fmt::format("; {}; {}; {} triangles at {}", triple(body.absorption), triple(body.colour),
                         scene.meshes.size(), triple(geometry.bounds().upper));
-    return text;
+    if (view.normalGridSize > 0) text += fmt::format("; normals of grid {}", view.normalGridSize);
+    if (const auto& map = view.causticsTexture)
+        text += fmt::format("; caustics {},{} {},{} by {} filter {}", map->rect.x, map->rect.y, map->rect.z,
+                            map->rect.w, map->texel, map->filter);
+    return text + identityOf(view.approximations);
 }
 
 namespace {
@@ -208,6 +243,49 @@ void samplesInto(Accumulation& sums, const Integrator& integrator, const Lens& l
 
 } // namespace
 
+/// What the paths summed up to, and the quantities of each pixel's centre.
+Picture Tracer::State::picture(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
+                               const ReferenceOptions& options, const Accumulation& sums) const
+{
+    const World all = world(view, water, map, options);
+    const Integrator integrator(all);
+    const Lens lens(view.camera, view.size);
+    Picture picture(view.size);
+    overPixels(view.size, [&](int x, int y, std::size_t pixel) {
+        picture.radiance[pixel] = sums.radiance[pixel] / static_cast<float>(sums.samples);
+        integrator.quantities(lens.through(x + 0.5, y + 0.5), lens.pixelAngle(), picture, pixel);
+    });
+    return picture;
+}
+
+std::vector<Picture> Tracer::renderAll(const std::vector<Request>& requests, Progress* progress) const
+{
+    const State& s = *state_;
+    std::vector<Picture> pictures;
+    SunMap map;
+    std::string mapOf;
+    for (const auto& [view, options] : requests) {
+        requireSize(view.size);
+        Request light{view, options};
+        light.view.approximations = {};
+        light.view.gridSize = light.view.normalGridSize = light.options.bounces = 0;
+        if (const std::string wanted = s.identity(light.view, light.options); mapOf != wanted) {
+            map = s.sunMap(view, options, nullptr);
+            mapOf = wanted;
+        }
+        const std::optional<WaterSurface> water = s.surface(view);
+        const World world = s.world(view, water ? &*water : nullptr, map, options);
+        const Integrator integrator(world);
+        Accumulation sums(view.size);
+        samplesInto(sums, integrator, Lens(view.camera, view.size), options, "", {}, nullptr);
+        pictures.push_back(s.picture(view, water ? &*water : nullptr, map, options, sums));
+        if (progress)
+            progress->report(static_cast<double>(pictures.size()) / static_cast<double>(requests.size()),
+                             fmt::format("tracing picture {} of {}", pictures.size(), requests.size()));
+    }
+    return pictures;
+}
+
 Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options, Progress* progress,
                        const Checkpoint& checkpoint, TraceReport* report) const
 {
@@ -218,17 +296,13 @@ Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options,
     Accumulation sums = checkpoint.file.empty() ? Accumulation(view.size) : load(checkpoint.file, view.size, identity);
 
     const std::optional<WaterSurface> water = s.surface(view);
-    const SunMap map = s.sunMap(view, water ? &*water : nullptr, options, progress);
+    const SunMap map = s.sunMap(view, options, progress);
     const World world = s.world(view, water ? &*water : nullptr, map, options);
     const Integrator integrator(world);
     const Lens lens(view.camera, view.size);
     samplesInto(sums, integrator, lens, options, identity, checkpoint, progress);
 
-    Picture picture(view.size);
-    overPixels(view.size, [&](int x, int y, std::size_t pixel) {
-        picture.radiance[pixel] = sums.radiance[pixel] / static_cast<float>(sums.samples);
-        integrator.quantities(lens.through(x + 0.5, y + 0.5), lens.pixelAngle(), picture, pixel);
-    });
+    Picture picture = s.picture(view, water ? &*water : nullptr, map, options, sums);
     TraceReport done{.seconds = secondsSince(start),
                      .truncatedShare = meanTruncated(sums),
                      .causticsNoise = map.noise(),
@@ -257,7 +331,7 @@ Picture Tracer::quantities(const ViewRequest& view, const ReferenceOptions& opti
     requireSize(view.size);
     const State& s = *state_;
     const std::optional<WaterSurface> water = s.surface(view);
-    const SunMap map = s.sunMap(view, water ? &*water : nullptr, options, progress);
+    const SunMap map = s.sunMap(view, options, progress);
     const World world = s.world(view, water ? &*water : nullptr, map, options);
     const Integrator integrator(world);
     const Lens lens(view.camera, view.size);

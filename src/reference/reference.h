@@ -26,8 +26,17 @@ struct ViewRequest {
     Camera camera;
     double time = 0.0;     ///< s
     ivec2 size{640, 480};  ///< pixels
-    int gridSize = 0;      ///< > 0: the surface as the viewer's grid draws it, for the error budget
+    /// > 0: the surface that the eye sees is what the viewer's grid draws of it, and its normals are those of a grid's
+    /// vertices, interpolated. The sun's light goes through the waves themselves, as in the viewer.
+    int gridSize = 0, normalGridSize = 0;
     bool flatLight = false; ///< the sun's light under water as a flat surface lets it through
+    /// The sun's light under water as a texture over a part of the level holds it; beside it that of a flat surface.
+    struct CausticsTexture {
+        vec4 rect{0.0f};   ///< centre x, z and half extent, m
+        double texel = 0.1; ///< m
+        int filter = 0;    ///< radius, texels
+    };
+    std::optional<CausticsTexture> causticsTexture{};
     Approximations approximations{};
 };
 
@@ -65,6 +74,14 @@ public:
     /// picture, and Interrupted.
     Picture render(const ViewRequest& view, const ReferenceOptions& options, Progress* progress = nullptr,
                    const Checkpoint& checkpoint = {}, TraceReport* report = nullptr) const;
+
+    /// One picture of each; neighbours share the sun's light under water where it is the same. Where seeds are equal so
+    /// are all random numbers, and two pictures differ by what was asked for alone.
+    struct Request {
+        ViewRequest view;
+        ReferenceOptions options;
+    };
+    std::vector<Picture> renderAll(const std::vector<Request>& requests, Progress* progress = nullptr) const;
 
     /// Everything that a picture depends on but its number of samples; also its header's "tarn:reference".
     std::string identity(const ViewRequest& view, const ReferenceOptions& options) const;

@@ -97,10 +97,10 @@ SunMap::SunMap(const Inputs& inputs, const std::vector<LightQuery>& queries, Pro
     }
 }
 
-SunMap::SunMap(const Inputs& inputs, const vec4& rect, double texel, Progress* progress)
+SunMap::SunMap(const Inputs& inputs, const vec4& rect, double texel, Progress* progress, int filter)
     : slant_(dvec2(inputs.light.sunDirectionBelow.x, inputs.light.sunDirectionBelow.z) /
              static_cast<double>(inputs.light.sunDirectionBelow.y)),
-      level_(inputs.water.level())
+      level_(inputs.water.level()), filter_(filter)
 {
     Map map;
     map.texel = texel;
@@ -250,6 +250,20 @@ vec3 SunMap::sumAt(const Map& map, ivec2 texel, int layer, int half)
 }
 
 std::optional<vec3> SunMap::relativeIrradiance(const dvec3& point, double footprint) const
+{
+    if (filter_ == 0 || maps_.empty()) return unfiltered(point, footprint);
+    vec3 sum(0.0f);
+    for (int j = -filter_; j <= filter_; ++j)
+        for (int i = -filter_; i <= filter_; ++i) {
+            const float weight = optics::causticsFilterWeight(filter_, i) * optics::causticsFilterWeight(filter_, j);
+            const auto light = unfiltered(point + maps_.front().texel * dvec3(i, 0.0, j), footprint);
+            if (!light) return std::nullopt;
+            sum += weight * *light;
+        }
+    return sum;
+}
+
+std::optional<vec3> SunMap::unfiltered(const dvec3& point, double footprint) const
 {
     const dvec2 plane = planeOf(point, level_, slant_);
     const int layer = static_cast<int>(std::floor((point.y - level_) / layerHeight));

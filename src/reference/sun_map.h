@@ -45,7 +45,8 @@ public:
 
     /// One map with texels of a given size over a rectangle of the level plane (centre x, z and half extent): for
     /// whole-map comparisons.
-    SunMap(const Inputs& inputs, const vec4& rect, double texel, Progress* progress);
+    /// @param filter radius in texels of a binomial filter over what lookups give, as the viewer's caustics texture has
+    SunMap(const Inputs& inputs, const vec4& rect, double texel, Progress* progress, int filter = 0);
 
     /// The sun's light through a level area at a point, relative to the same above the water: the unit of the
     /// viewer's caustics texture. Empty where no photon was sent.
@@ -75,11 +76,13 @@ private:
 
     void trace(const Inputs& inputs, Map& map, std::size_t photons, const std::function<void(double)>& report);
     void fold(Map& map, std::vector<Landing>& landings, const Light& light, double cellArea) const;
+    std::optional<vec3> unfiltered(const dvec3& point, double footprint) const;
     static vec3 sumAt(const Map& map, ivec2 texel, int layer, int half);
 
     std::vector<Map> maps_; ///< finest first
     dvec2 slant_{0.0};      ///< of the refracted sun
     double level_ = 0.0;
+    int filter_ = 0;
     std::size_t photons_ = 0, entered_ = 0, lost_ = 0;
 };
 

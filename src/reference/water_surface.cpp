@@ -97,9 +97,10 @@ void clipRange(double start, double rate, double least, double most, double& low
 
 } // namespace
 
-WaterSurface::WaterSurface(const WaterBody& water, double time, int gridSize)
+WaterSurface::WaterSurface(const WaterBody& water, double time, int gridSize, int normalGridSize)
     : time_(time), level_(water.level), lower_(dvec2(water.centre) - 0.5 * dvec2(water.extent)),
       upper_(dvec2(water.centre) + 0.5 * dvec2(water.extent)), gridSize_(gridSize),
+      normalGridSize_(normalGridSize),
       rect_(water.centre.x, water.centre.y, 0.5 * static_cast<double>(water.extent.x), 0.5 * static_cast<double>(water.extent.y))
 {
     const std::size_t count = std::min<std::size_t>(water.waves.size(), maxWaves);
@@ -130,6 +131,27 @@ bool WaterSurface::contains(const dvec3& point) const
 }
 
 dvec3 WaterSurface::normal(double x, double z) const
+{
+    if (normalGridSize_ < 2) return waveNormal(x, z);
+    // The triangle of the grid: see gridHeight in shaders/shared/waves.glsl.
+    const double cells = normalGridSize_ - 1;
+    const dvec2 cell = (upper_ - lower_) / cells;
+    const dvec2 at = glm::clamp((dvec2(x, z) - lower_) / cell, dvec2(0.0), dvec2(cells));
+    const dvec2 corner = glm::min(glm::floor(at), dvec2(cells - 1.0));
+    const dvec2 f = at - corner;
+    const bool isFirst = f.x + f.y <= 1.0;
+    const dvec2 own = isFirst ? corner : corner + 1.0;
+    const double way = isFirst ? 1.0 : -1.0;
+    const dvec2 weight = isFirst ? f : 1.0 - f;
+    const auto vertex = [&](const dvec2& place) {
+        const dvec2 p = lower_ + place * cell;
+        return waveNormal(p.x, p.y);
+    };
+    return glm::normalize((1.0 - weight.x - weight.y) * vertex(own) + weight.x * vertex(own + dvec2(way, 0.0)) +
+                          weight.y * vertex(own + dvec2(0.0, way)));
+}
+
+dvec3 WaterSurface::waveNormal(double x, double z) const
 {
     dvec2 slope(0.0);
     for (const optics64::WaveTerm& w : waves_) {

@@ -14,8 +14,9 @@ namespace tarn::reference {
 class WaterSurface {
 public:
     /// @param gridSize 0: the wave function, else a grid of gridSize x gridSize vertices, as passes/water.vert draws it
-    /// (normals stay those of the waves)
-    WaterSurface(const WaterBody& water, double time, int gridSize = 0);
+    /// @param normalGridSize 0: the waves' own normals, else those of the vertices of such a grid, in between them
+    /// interpolated
+    WaterSurface(const WaterBody& water, double time, int gridSize = 0, int normalGridSize = 0);
 
     /// Whether a point is over or under the water's rectangle.
     bool spans(double x, double z) const;
@@ -38,6 +39,7 @@ public:
     dvec2 upper() const { return upper_; }
 
 private:
+    dvec3 waveNormal(double x, double z) const;
     double heightAbove(const dvec3& point) const;
     double polish(const Ray& ray, double t, double side) const;
     std::optional<double> intersectGrid(const Ray& ray, double tMin, double tMax, double side) const;
@@ -45,7 +47,7 @@ private:
     std::vector<optics64::WaveTerm> waves_;
     double time_ = 0.0, level_ = 0.0, amplitude_ = 0.0;
     dvec2 lower_{0.0}, upper_{0.0};
-    int gridSize_ = 0;
+    int gridSize_ = 0, normalGridSize_ = 0;
     glm::dvec4 rect_{0.0}; ///< centre and half extent
 };
 

@@ -10,7 +10,7 @@ pool=$project/tests/image/scenes/checkered_bed.toml
 test_help() {
     call 0 --help
     local command
-    for command in view render reference compare bench trade tune explain options info; do
+    for command in view render reference compare bench trade tune budget explain options info; do
         grep -qw "$command" "$work/stdout" || fail "--help does not name $command"
     done
     call 0 render --help
@@ -52,6 +52,8 @@ test_wrong_usage() {
     refuse 2 'abvoe.*above' trade "$pool" --out a --views abvoe
     refuse 2 'max-error.*budget-ms' tune "$pool"
     refuse 2 'abvoe.*above' tune "$pool" --max-error 0.1 --camera abvoe
+    refuse 2 'samples' budget "$pool" --samples 0
+    refuse 2 'abvoe.*above' budget "$pool" --camera abvoe
     refuse 2 'hihg.*high' render "$pool" --preset hihg --out a.png
     refuse 2 'png' render "$pool" --out a.bmp
     refuse 2 'png' render "$pool" --out picture
@@ -196,6 +198,21 @@ test_json() {
     grep -q '^| caustics off ' "$work/stdout" || fail "bench --table 2 has no row without caustics"
     grep -q '"ours_over_thesis"' c.json || fail "the table's JSON does not compare with the thesis"
     only_in_out a.json a.png b.json c.json
+}
+
+test_budget() {
+    call 0 budget "$project/tests/image/scenes/waves.toml" --size 16x12 --samples 1 --photons 10000 --preset thesis \
+        --json a.json
+    local row
+    for row in 'tessellation' "moved camera's coverage" 'intersection' 'reflection lookup' "Schlick's Fresnel" \
+        'caustics map' 'shadow map' 'clip planes' 'refraction texture' 'sum of the parts' 'all at once' 'unexplained'; do
+        grep -Eq "^  $row +" "$work/stdout" || fail "the budget has no row '$row'"
+        [[ $row == *' of the parts' || $row == 'all at once' || $row == unexplained ]] || grep -q "\"$row\"" a.json ||
+            fail "the budget's JSON has no row '$row'"
+    done
+    refuse 1 'checkered_bed.*no water' budget "$pool" --set water.enabled=false
+    refuse 1 'no/such/folder' budget "$pool" --json no/such/folder/a.json
+    only_in_out a.json
 }
 
 test_compare() {

@@ -241,6 +241,15 @@ TEST(CommandLine, TuneHasOneGoal)
     EXPECT_NE(complaint({"tune", "--max-error", "2"}), "");
 }
 
+TEST(CommandLine, BudgetHasAViewAndAReference)
+{
+    const auto c = parsed<BudgetCommand>({"budget", "s.toml", "--camera", "bed", "--samples", "8", "--preset", "thesis"});
+    EXPECT_EQ(c.view.camera.name, "bed");
+    EXPECT_EQ(c.reference.samples, 8);
+    EXPECT_EQ(c.view.size, ivec2(320, 240));
+    EXPECT_NE(complaint({"budget", "--samples", "0"}).find("--samples"), std::string::npos);
+}
+
 TEST(CommandLine, HelpAndVersionAreText)
 {
     EXPECT_NE(parsed<PrintCommand>({"--help"}).text.find("bench"), std::string::npos);

@@ -99,7 +99,15 @@ public:
     std::optional<ErrorBudget> budget(std::size_t view) override
     {
         note("budget " + std::to_string(view));
-        return ErrorBudget{"mean FLIP", {{"refraction", 0.03, 0.025}, {"caustics", 0.01, 0.012}}, 0.05};
+        return ErrorBudget{.quantity = "mean FLIP",
+                           .rows = {{"refraction", 0.03, 0.025, "refraction.steps=24"},
+                                    {"caustics", 0.01, 0.012},
+                                    {"shadow map", ErrorBudget::none, -0.001}},
+                           .total = 0.05,
+                           .together = 0.035,
+                           .remaining = 0.015,
+                           .noise = ErrorBudget::none,
+                           .unmodelled = 0.02};
     }
 
     std::string machine() const override { return "a machine </script> of formulas"; }

@@ -226,6 +226,8 @@ TEST(TradeResults, JsonHoldsEverything)
     EXPECT_TRUE(far["errors"]["caustics.rmse"].is_null());
     EXPECT_EQ(far["times"].size(), 2u);
     EXPECT_EQ(json["budgets"][0]["rows"][0]["part"], "refraction");
+    EXPECT_TRUE(json["budgets"][0]["rows"][2]["alone"].is_null());
+    EXPECT_EQ(json["budgets"][1]["remaining"], 0.015);
 }
 
 TEST(TradeReport, TextCannotLeaveItsPlace)

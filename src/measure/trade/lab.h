@@ -3,6 +3,7 @@
 #pragma once
 
 #include "measure/error_figures.h"
+#include "measure/trade/budget.h"
 #include "measure/trade/plan.h"
 
 #include <cstddef>
@@ -30,18 +31,6 @@ struct TradePictures {
     std::string realTime, reference, flip;
 };
 
-/// What each part of a frame adds to its error (README, "Accuracy").
-struct ErrorBudget {
-    struct Row {
-        std::string part;
-        double alone = 0.0;   ///< error of the reference with this approximation in it
-        double removed = 0.0; ///< by how much the frame's error falls when this part of it is exact
-    };
-    std::string quantity; ///< "mean FLIP"
-    std::vector<Row> rows;
-    double total = 0.0; ///< error of the frame as it is
-};
-
 class TradeLab {
 public:
     virtual ~TradeLab() = default;
@@ -51,7 +40,7 @@ public:
     /// All points take turns, so that drift of the machine strikes all alike. One price for each.
     virtual std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) = 0;
     virtual TradePictures pictures(const TradePoint& point, std::size_t view) = 0;
-    /// Of the base; nothing when this lab makes none.
+    /// Of the base; nothing when this lab makes none of this view.
     virtual std::optional<ErrorBudget> budget(std::size_t /*view*/) { return std::nullopt; }
     /// "llvmpipe …; 2 threads": what the prices hold for.
     virtual std::string machine() const = 0;

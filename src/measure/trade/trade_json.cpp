@@ -57,17 +57,28 @@ json toJson(const ErrorBudget& budget)
 {
     json rows = json::array();
     for (const ErrorBudget::Row& row : budget.rows)
-        rows.push_back(
-            {{"part", row.part}, {"alone", numberJson(row.alone)}, {"removed", numberJson(row.removed)}});
-    return {{"quantity", budget.quantity}, {"total", numberJson(budget.total)}, {"rows", rows}};
+        rows.push_back({{"part", row.part},
+                        {"alone", numberJson(row.alone)},
+                        {"removed", numberJson(row.removed)},
+                        {"exact", row.exact}});
+    return {{"quantity", budget.quantity},
+            {"rows", rows},
+            {"total", numberJson(budget.total)},
+            {"together", numberJson(budget.together)},
+            {"remaining", numberJson(budget.remaining)},
+            {"noise", numberJson(budget.noise)},
+            {"unmodelled", numberJson(budget.unmodelled)}};
 }
 
 ErrorBudget budgetFrom(const json& budget)
 {
-    ErrorBudget result{budget.at("quantity").get<std::string>(), {}, numberFrom(budget.at("total"))};
+    ErrorBudget result{budget.at("quantity").get<std::string>(), {},
+                       numberFrom(budget.at("total")),           numberFrom(budget.at("together")),
+                       numberFrom(budget.at("remaining")),       numberFrom(budget.at("noise")),
+                       numberFrom(budget.at("unmodelled"))};
     for (const json& row : budget.at("rows"))
-        result.rows.push_back(
-            {row.at("part").get<std::string>(), numberFrom(row.at("alone")), numberFrom(row.at("removed"))});
+        result.rows.push_back({row.at("part").get<std::string>(), numberFrom(row.at("alone")),
+                               numberFrom(row.at("removed")), row.at("exact").get<std::string>()});
     return result;
 }
 

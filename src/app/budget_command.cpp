@@ -1,0 +1,48 @@
+// tarn budget: which part of a picture's error each approximation of the frame owns.
+#include "app/commands.h"
+#include "app/error_budget.h"
+#include "app/stage.h"
+#include "base/error.h"
+#include "measure/trade/trade_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace tarn {
+
+void run(const BudgetCommand& command)
+{
+    requireWritableJson(command.json);
+    TerminalProgress progress;
+    const Stage stage = loadStage(command.scene, &progress);
+    const Camera camera = chooseCamera(stage.scene, command.view.camera);
+    const Settings& settings = stage.settings;
+    if (!settings.water.present || !settings.options.water.enabled)
+        throw Error("{}: has no water, and so none of the errors that a budget parts",
+                    stage.scene.file.string());
+
+    Session session(stage, command.view.size, &progress);
+    const reference::Tracer tracer(stage.scene, settings.water, settings.options.water.sunRoughness);
+    const ErrorBudget budget = measureBudget({.scene = stage.scene,
+                                              .settings = settings,
+                                              .camera = camera,
+                                              .time = command.view.time,
+                                              .size = command.view.size,
+                                              .reference = command.reference,
+                                              .truth = nullptr},
+                                             session, tracer, &progress);
+
+    nlohmann::json json = toJson(budget);
+    json["scene"] = stage.scene.file.string();
+    json["camera"] = camera.name;
+    json["time"] = command.view.time;
+    json["size"] = {command.view.size.x, command.view.size.y};
+    json["samples"] = command.reference.samples;
+    json["photons"] = command.reference.photons;
+    json["settings"] = nlohmann::json::parse(settingsJson(settings));
+    writeJson(command.json, json);
+    if (command.json == "-") return;
+    fmt::print("{} at {} s, {}x{} pixels, reference of {} samples\n{}", camera.name, command.view.time,
+               command.view.size.x, command.view.size.y, command.reference.samples, budgetTable(budget));
+}
+
+} // namespace tarn
