@@ -18,8 +18,10 @@ struct FrameOptions {
 struct WaterOptions {
     enum class Normals { pixel, vertex };
     enum class Fresnel { schlick, exact };
+    enum class Grid { uniform, focused };
     bool enabled = true;
-    int gridSize = 49;
+    Grid grid = Grid::focused;
+    int gridSize = 97;
     Normals normals = Normals::pixel;
     bool filterWaves = true;
     Fresnel fresnel = Fresnel::exact;

@@ -82,7 +82,17 @@ struct Tracer::State {
     std::optional<WaterSurface> surface(const ViewRequest& view) const
     {
         if (!body.present) return std::nullopt;
-        return WaterSurface(body, view.time, view.gridSize);
+        if (view.gridSize < 2) return WaterSurface(body, view.time);
+        const glm::dvec4 rect(body.centre.x, body.centre.y, 0.5f * body.extent.x, 0.5f * body.extent.y);
+        if (!view.gridFocused) return WaterSurface(body, view.time, optics64::uniformGrid(rect, view.gridSize));
+        double amplitude = 0.0;
+        for (const Wave& w : body.waves) amplitude += static_cast<double>(std::abs(w.amplitude));
+        const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
+        const glm::dmat4 clipFromWorld =
+            glm::dmat4(clipFromView(view.camera, aspect)) * glm::dmat4(viewFromWorld(view.camera));
+        return WaterSurface(body, view.time,
+                            optics64::focusedGrid(rect, static_cast<double>(body.level), amplitude, view.gridSize,
+                                                  glm::dvec3(view.camera.eye), clipFromWorld));
     }
     SunMap sunMap(const ViewRequest& view, const WaterSurface* water, const ReferenceOptions& options,
                   Progress* progress) const;
@@ -131,10 +141,10 @@ std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOpti
     const auto triple = [](const vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
     std::string text = fmt::format(
         "{}; eye {}; target {}; up {}; fov {}; time {}; {}x{}; depth {}; bounces {}; photons {}; seed {}; water {} {} "
-        "{},{} {},{}; grid {}; flat {}; sun {}; roughness {}; approximations {} {} {} {}",
+        "{},{} {},{}; grid {}{}; flat {}; sun {}; roughness {}; approximations {} {} {} {}",
         scene.file.string(), triple(c.eye), triple(c.target), triple(c.up), c.verticalFov, view.time, view.size.x,
         view.size.y, options.depth, options.bounces, options.photons, options.seed, body.level, body.ior, body.extent.x,
-        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.flatLight, triple(light.sunDirection), sunRoughness,
+        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.gridSize > 0 && view.gridFocused ? " focused" : "", view.flatLight, triple(light.sunDirection), sunRoughness,
         view.approximations.schlickExponent, view.approximations.reflectionDistance,
         view.approximations.reflectionClip, view.approximations.refractionClip);
     for (const Wave& w : body.waves)

@@ -27,6 +27,7 @@ struct ViewRequest {
     double time = 0.0;     ///< s
     ivec2 size{640, 480};  ///< pixels
     int gridSize = 0;      ///< > 0: the surface as the viewer's grid draws it, for the error budget
+    bool gridFocused = false; ///< whether that grid is focused on the view (water.grid)
     bool flatLight = false; ///< the sun's light under water as a flat surface lets it through
     Approximations approximations{};
 };
