@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace tarn::optics64 {
@@ -103,9 +102,8 @@ WaterGrid focusedGrid(const dvec4& rect, double level, double amplitude, int ver
 
     const dvec2 under(eye.x, eye.z);
     const dvec2 centre = glm::clamp(under, lower, upper);
-    const char* tune = std::getenv("TARN_GRID_C");
-    const double factor = tune ? std::atof(tune) : 2.0;
-    const double scale = factor * std::max(glm::length(dvec3(under - centre, eye.y - level)), 0.1);
+    // Even to twice the eye's distance, where perspective begins to shrink cells.
+    const double scale = 2.0 * std::max(glm::length(dvec3(under - centre, eye.y - level)), 0.1);
     for (int axis = 0; axis < 2; ++axis) {
         GridAxis& a = grid[static_cast<std::size_t>(axis)];
         a.centre = centre[axis];

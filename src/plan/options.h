@@ -20,8 +20,8 @@ struct WaterOptions {
     enum class Fresnel { schlick, exact };
     enum class Grid { uniform, focused };
     bool enabled = true;
-    Grid grid = Grid::focused;
-    int gridSize = 97;
+    Grid grid = Grid::uniform;
+    int gridSize = 49;
     Normals normals = Normals::pixel;
     bool filterWaves = true;
     Fresnel fresnel = Fresnel::exact;

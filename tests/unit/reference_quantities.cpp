@@ -1,4 +1,5 @@
 // The reference's geometry against closed forms: where rays meet the water and the bed, and what share is reflected.
+#include "optics/water_grid.h"
 #include "optics/waves.h"
 #include "reference/reference.h"
 #include "test_scenes.h"
