@@ -1,8 +1,9 @@
 // The water's grid, displaced by the waves.
 #include "shared/blocks.glsl"
 #include "shared/waves.glsl"
+#include "shared/water_grid.glsl"
 
-layout(location = 0) in vec2 gridPosition; // -1 to 1 over the water's rectangle
+layout(location = 0) in vec2 line; // of the grid along x and along z, from 0
 
 out vec3 surfaceW;
 #ifdef VERTEX_NORMALS
@@ -11,9 +12,10 @@ out vec2 vertexSlope;
 
 void main()
 {
-    vec2 xz = waterRect.xy + gridPosition * waterRect.zw;
+    vec2 xz = vec2(gridPlace(waterGrid[0], line.x), gridPlace(waterGrid[1], line.y));
+    vec2 cell = vec2(gridCell(waterGrid[0], line.x), gridCell(waterGrid[1], line.y));
     vec3 sum = vec3(0.0); // height and slope
-    for (int i = 0; i < int(waveCount); ++i) sum += waveTerm(waves[i], xz, time);
+    for (int i = 0; i < int(waveCount); ++i) sum += gridTerm(waves[i], xz, cell, time);
     surfaceW = vec3(xz.x, waterLevel + sum.x, xz.y);
 #ifdef VERTEX_NORMALS
     vertexSlope = sum.yz;

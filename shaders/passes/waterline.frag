@@ -7,17 +7,20 @@
 // silhouette rounding lets a sample of the facet behind through.
 #include "shared/blocks.glsl"
 #include "shared/waves.glsl"
+#include "shared/water_grid.glsl"
 
 in vec2 uv;
 
 uniform vec3 nearCorner; // of the near plane, world
 uniform vec3 nearAcross; // its edges
 uniform vec3 nearUp;
-uniform int gridSize;
 
 out vec4 fragment;
 
-float heightOver(vec3 p) { return p.y - waterLevel - gridHeight(int(waveCount), p.xz, time, waterRect, gridSize); }
+float heightOver(vec3 p)
+{
+    return p.y - waterLevel - gridHeight(int(waveCount), p.xz, time, waterGrid[0], waterGrid[1]);
+}
 
 void main()
 {

@@ -27,6 +27,18 @@ struct LightTerm {
     float pad0;
 };
 
+// One axis of the grid that draws the water: where its lines of vertices stand (water_grid.glsl).
+struct GridAxis {
+    float lower;    // ends of the water's rectangle, m
+    float upper;
+    float centre;   // where lines are closest, m
+    float scale;    // m around the centre in which they are even; 0: even all along
+    float from;     // asinh((place - centre) / scale) of the second line, the first that is in view
+    float to;       // of the last but one
+    float vertices; // how many lines
+    float pad0;
+};
+
 // The same for every pass of a frame.
 UNIFORM_BLOCK(FrameBlock) {
     vec3 sunDirection;   // towards the sun
@@ -44,6 +56,7 @@ UNIFORM_BLOCK(FrameBlock) {
     vec3 skyBelow;       // irradiance of the sky on an upward surface just under flat water
     float sunRoughness;  // base slope deviation of the sun's glint
     vec4 waterRect;      // centre x, z and half extent x, z
+    GridAxis waterGrid[2];   // of the drawn surface, along x and z
     vec4 skyIrradiance[9];   // spherical harmonics, lighting.glsl
     LightTerm lights[maxLights];
 };

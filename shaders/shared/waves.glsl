@@ -54,31 +54,6 @@ SHARED WaveSample waveSum(WAVE_ARRAY int count, vec2 x, float t, float footprint
     return result;
 }
 
-// Height of the surface as it is drawn, by triangles over a grid of gridSize x gridSize vertices: the triangulation is
-// that of src/render/water_grid.cpp. rect: centre x, z and half extent x, z; x lies in it or is taken at its edge.
-SHARED float gridHeight(WAVE_ARRAY int count, vec2 x, float t, vec4 rect, int gridSize)
-{
-    float cells = float(gridSize - 1);
-    vec2 lower = vec2(rect.x - rect.z, rect.y - rect.w);
-    vec2 cell = vec2(2.0 * rect.z, 2.0 * rect.w) / cells;
-    vec2 at = clamp((x - lower) / cell, vec2(0.0), vec2(cells));
-    vec2 corner = min(floor(at), vec2(cells - 1.0));
-    vec2 f = at - corner;
-    // The corner that the two triangles of a cell do not share, and the way from it into the cell.
-    bool isFirst = f.x + f.y <= 1.0;
-    vec2 own = isFirst ? corner : corner + vec2(1.0);
-    float way = isFirst ? 1.0 : -1.0;
-    vec2 weight = isFirst ? f : vec2(1.0) - f;
-    float height = 0.0;
-    for (int i = 0; i < count; ++i) {
-        float here = waveTerm(waves[i], lower + own * cell, t).x;
-        float across = waveTerm(waves[i], lower + (own + vec2(way, 0.0)) * cell, t).x;
-        float along = waveTerm(waves[i], lower + (own + vec2(0.0, way)) * cell, t).x;
-        height += here + weight.x * (across - here) + weight.y * (along - here);
-    }
-    return height;
-}
-
 // Upward unit normal of a height field with these slopes.
 SHARED vec3 waveNormal(vec2 slope)
 {

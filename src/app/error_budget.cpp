@@ -74,11 +74,18 @@ struct Parts {
     void addSurface()
     {
         const WaterOptions& water = options().water;
+        const bool focused = water.grid == WaterOptions::Grid::focused;
         add("tessellation", {{"water.grid_size", "1025"}},
-            [n = water.gridSize](ViewRequest& view) { view.gridSize = n; });
+            [n = water.gridSize, focused](ViewRequest& view) {
+                view.gridSize = n;
+                view.gridFocused = focused;
+            });
         const int normals = water.normals == WaterOptions::Normals::vertex ? water.gridSize : 0;
         add("normals of vertices", {{"water.normals", "pixel"}},
-            [normals](ViewRequest& view) { view.normalGridSize = normals; });
+            [normals, focused](ViewRequest& view) {
+                view.normalGridSize = normals;
+                view.gridFocused = focused;
+            });
         add("waves below a pixel", {{"water.filter_waves", "true"}, {"reflection.facets", "five"}});
     }
 
@@ -191,10 +198,9 @@ struct Parts {
         const auto offset = [&](float now) { return fmt::format("{}", std::min(now, least)); };
         add("clip planes", {{"refraction.clip_offset", offset(options().refraction.clipOffset)},
                             {"reflection.clip_offset", offset(options().reflection.clipOffset)}});
-        constexpr int across = 3;
-        add("samples of a pixel",
-            {{"frame.msaa", atLeast(4, options().frame.msaa)}, {"frame.anisotropy", "16"}});
-        list.back().supersampling = across;
+        add("samples of a pixel", {{"frame.msaa", atLeast(4, options().frame.msaa)},
+                                   {"frame.supersampling", atLeast(3, options().frame.supersampling)},
+                                   {"frame.anisotropy", "16"}});
     }
 };
 
@@ -214,23 +220,6 @@ std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings
 }
 
 namespace {
-
-/// The means of squares of `across` pixels.
-Image reduced(const Image& large, int across)
-{
-    Image small{large.name, large.width / across, large.height / across, large.channels, {}, {}};
-    small.floats.assign(small.size(), 0.0f);
-    const auto at = [](const Image& image, int x, int y) {
-        return static_cast<std::size_t>(y * image.width + x) * static_cast<std::size_t>(image.channels);
-    };
-    const float share = 1.0f / static_cast<float>(across * across);
-    for (int y = 0; y < small.height * across; ++y)
-        for (int x = 0; x < small.width * across; ++x)
-            for (std::size_t c = 0; c < static_cast<std::size_t>(large.channels); ++c)
-                small.floats[at(small, x / across, y / across) + c] +=
-                    share * large.floats[at(large, x, y) + c];
-    return small;
-}
 
 /// Frames and references of one view, and how much they differ.
 class BudgetBench {
@@ -312,22 +301,17 @@ private:
         const Settings& base = request_.settings;
         budget.total = frameError(base, truth);
         Settings exact = base;
-        int mostAcross = 1;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             ErrorBudget::Row& row = budget.rows[i];
             const Settings changed = changedSettings(base, parts_[i].exact, parts_[i].name);
             exact = changedSettings(exact, parts_[i].exact, parts_[i].name);
             row.exact = differences(base, parts_[i]);
-            const int across = parts_[i].supersampling;
-            mostAcross = std::max(mostAcross, across);
-            if (across > 1)
-                row.exact += fmt::format("{}{}x{} in a pixel", row.exact.empty() ? "" : " ", across, across);
-            row.removed = row.exact.empty() ? 0.0 : budget.total - frameError(changed, truth, across);
+            row.removed = row.exact.empty() ? 0.0 : budget.total - frameError(changed, truth);
             if (progress_)
                 progress_->report(static_cast<double>(i + 1) / static_cast<double>(parts_.size()),
                                   fmt::format("taking out {}", row.part));
         }
-        budget.remaining = frameError(exact, truth, mostAcross);
+        budget.remaining = frameError(exact, truth);
     }
 
     /// Those of a part's options that the settings do not have.
@@ -341,18 +325,13 @@ private:
         return text;
     }
 
-    double frameError(Settings settings, const Image& truth, int across = 1) const
+    double frameError(Settings settings, const Image& truth) const
     {
         settings.options.glow.enabled = false;
         Renderer& renderer = session_.renderer();
         renderer.setOptions(settings.options, settings.water);
-        const int most = gl::capabilities().maxTextureSize / std::max(request_.size.x, request_.size.y);
-        across = std::clamp(across, 1, std::max(most, 1));
-        renderer.render({request_.camera, request_.time, across * request_.size});
-        if (across == 1) return meanOf(flipMap(truth, renderer.readDisplay()));
-        const FrameOptions& frame = settings.options.frame;
-        const Image mean = reduced(renderer.readLinear(), across);
-        return meanOf(flipMap(truth, displayPicture(exposedPicture(mean, frame.exposure), frame.toneCurve)));
+        renderer.render({request_.camera, request_.time, request_.size});
+        return meanOf(flipMap(truth, renderer.readDisplay()));
     }
 
     const BudgetRequest& request_;

@@ -22,9 +22,6 @@ struct BudgetPart {
     Changes exact; ///< options that make this part of the frame as exact as it gets
     /// Makes it in the reference, and nothing where the settings do not make it; empty when rays cannot.
     std::function<void(reference::ViewRequest&)> approximate;
-    /// > 1: its frame is drawn so many times as large and averaged, as no option does: water and textures are
-    /// shaded once for each pixel, the reference's pixels are means.
-    int supersampling = 1;
 };
 
 /// The parts of these settings' frame, seen from this camera.

@@ -20,16 +20,16 @@ namespace tarn
 // clang-format off
 namespace optics {
 using glm::vec2; using glm::vec3; using glm::vec4; using glm::mat3; using glm::mat4;
-using blocks::LightTerm; using blocks::WaveTerm; using blocks::maxLights; using blocks::maxWaves;
+using blocks::GridAxis; using blocks::LightTerm; using blocks::WaveTerm; using blocks::maxLights; using blocks::maxWaves;
 using glm::abs; using glm::clamp; using glm::cos; using glm::cross; using glm::dot; using glm::exp; using glm::exp2;
-using glm::floor; using glm::length; using glm::max; using glm::min; using glm::mix; using glm::normalize;
+using glm::floor; using glm::length; using glm::log; using glm::max; using glm::min; using glm::mix; using glm::normalize;
 using glm::pow; using glm::sin; using glm::sqrt;
 } // namespace optics
 
 namespace optics64 {
 using glm::dvec2; using glm::dvec3; using glm::dvec4; using glm::dmat3; using glm::dmat4;
 using glm::abs; using glm::clamp; using glm::cos; using glm::cross; using glm::dot; using glm::exp; using glm::exp2;
-using glm::floor; using glm::length; using glm::max; using glm::min; using glm::mix; using glm::normalize;
+using glm::floor; using glm::length; using glm::log; using glm::max; using glm::min; using glm::mix; using glm::normalize;
 using glm::pow; using glm::sin; using glm::sqrt;
 } // namespace optics64
 // clang-format on

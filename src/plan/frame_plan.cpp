@@ -44,18 +44,27 @@ float surfaceHeight(const WaterBody& water, vec2 xz, double time)
     return static_cast<float>(height);
 }
 
-float drawnHeight(const WaterBody& water, int gridSize, vec2 xz, double time)
+optics64::WaterGrid waterGrid(const WaterBody& water, const WaterOptions& options, const Camera& camera, float aspect)
+{
+    const glm::dvec4 rect(water.centre.x, water.centre.y, 0.5f * water.extent.x, 0.5f * water.extent.y);
+    if (options.grid == WaterOptions::Grid::uniform) return optics64::uniformGrid(rect, options.gridSize);
+    return optics64::focusedGrid(rect, static_cast<double>(water.level), static_cast<double>(totalAmplitude(water)),
+                                 options.gridSize, glm::dvec3(camera.eye),
+                                 glm::dmat4(clipFromView(camera, aspect)) * glm::dmat4(viewFromWorld(camera)));
+}
+
+float drawnHeight(const WaterBody& water, const optics64::WaterGrid& grid, vec2 xz, double time)
 {
     std::vector<optics64::WaveTerm> terms;
     for (const Wave& wave : water.waves)
         terms.push_back(
             optics64::makeWaveTerm(wave.amplitude, wave.wavelength, wave.direction, wave.phase, wave.period));
-    const glm::dvec4 rect(water.centre.x, water.centre.y, 0.5f * water.extent.x, 0.5f * water.extent.y);
     return static_cast<float>(water.level + optics64::gridHeight(terms.data(), static_cast<int>(terms.size()),
-                                                                 glm::dvec2(xz), time, rect, gridSize));
+                                                                 glm::dvec2(xz), time, grid[0], grid[1]));
 }
 
-WaterSide waterSide(const WaterBody& water, int gridSize, const Camera& camera, float aspect, double time)
+WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, const Camera& camera, float aspect,
+                    double time)
 {
     const mat4 worldFromView = glm::inverse(viewFromWorld(camera));
     const float up = camera.nearPlane * std::tan(0.5f * camera.verticalFov);
@@ -73,15 +82,16 @@ WaterSide waterSide(const WaterBody& water, int gridSize, const Camera& camera, 
                         plane.upper.z <= upper.y;
 
     // From the height under the middle no point of the plane is further than its half diagonal. A facet is as steep as
-    // the waves along either of its legs, and so at most √2 times as steep in between.
+    // the waves along either of its legs, and so at most √2 times as steep in between. Waves that fade from vertex to
+    // vertex (gridFade) add to that.
     float slope = 0.0f;
     for (const Wave& wave : water.waves)
         slope += std::abs(wave.amplitude) * 2.0f * std::numbers::pi_v<float> / wave.wavelength;
     constexpr float rounding = 1.0e-3f; // m: float positions far from the origin
     const float reach = up * std::sqrt(1.0f + aspect * aspect);
-    const float change = std::numbers::sqrt2_v<float> * slope * reach;
+    const float change = std::numbers::sqrt2_v<float> * slope * reach * static_cast<float>(optics64::fadeSteepening(grid));
     const float amplitude = totalAmplitude(water);
-    const float height = drawnHeight(water, gridSize, vec2(centre.x, centre.z), time);
+    const float height = drawnHeight(water, grid, vec2(centre.x, centre.z), time);
     if (plane.lower.y > std::min(height + change, water.level + amplitude) + rounding) return WaterSide::above;
     if (inside && plane.upper.y < std::max(height - change, water.level - amplitude) - rounding)
         return WaterSide::below;
@@ -180,9 +190,10 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
                       overWaterRect(water, camera.eye) &&
                       camera.eye.y < surfaceHeight(water, vec2(camera.eye.x, camera.eye.z), time);
 
+    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+    if (water.present) plan.waterGrid = waterGrid(water, options.water, camera, aspect);
     if (water.present && options.water.enabled && options.underwater.enabled) {
-        const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-        plan.side = waterSide(water, options.water.gridSize, camera, aspect, time);
+        plan.side = waterSide(water, plan.waterGrid, camera, aspect, time);
         if (plan.side != WaterSide::crossing) plan.underwater = plan.side == WaterSide::below;
     }
     const auto bySide = [&plan](const char* above, const char* crossing, const char* below) {

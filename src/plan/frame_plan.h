@@ -1,6 +1,7 @@
 // Which passes a frame runs, and why: a pure function of the scene, the view and the options.
 #pragma once
 
+#include "optics/water_grid.h"
 #include "plan/options.h"
 #include "scene/scene.h"
 
@@ -34,6 +35,7 @@ struct FramePlan {
     std::array<PassPlan, passCount> passes;
     bool underwater = false; ///< the eye is below the water's surface (and underwater.enabled is on)
     WaterSide side = WaterSide::above; ///< of the near plane, where pictures begin
+    optics64::WaterGrid waterGrid{};   ///< that draws the surface
 
     const PassPlan& operator[](PassId pass) const { return passes[static_cast<std::size_t>(pass)]; }
     PassPlan& operator[](PassId pass) { return passes[static_cast<std::size_t>(pass)]; }
@@ -48,12 +50,16 @@ Bounds waterBounds(const WaterBody& water);
 /// Height of the moving surface over (x, z), world y in metres, at a time in seconds.
 float surfaceHeight(const WaterBody& water, vec2 xz, double time);
 
-/// The same of the surface as it is drawn, by a grid of gridSize x gridSize vertices.
-float drawnHeight(const WaterBody& water, int gridSize, vec2 xz, double time);
+/// The grid that draws the surface for a camera.
+/// @param aspect width / height of the picture
+optics64::WaterGrid waterGrid(const WaterBody& water, const WaterOptions& options, const Camera& camera, float aspect);
+
+/// The same height of the surface as a grid draws it.
+float drawnHeight(const WaterBody& water, const optics64::WaterGrid& grid, vec2 xz, double time);
 
 /// Where the near plane is, to the safe side: plainly above or below only when the drawn surface cannot cut it.
 /// @param aspect width / height of the picture   @param time seconds
-WaterSide waterSide(const WaterBody& water, int gridSize, const Camera& camera, float aspect, double time);
+WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, const Camera& camera, float aspect, double time);
 
 /// @param size of the picture, pixels   @param time seconds
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,

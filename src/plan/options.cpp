@@ -10,6 +10,7 @@ namespace
 
 // In the order of the enumerations' values.
 constexpr std::array toneCurveNames{"linear", "reinhard", "aces"};
+constexpr std::array waterGridNames{"uniform", "focused"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative"};
 constexpr std::array refractionCameraNames{"main", "snell", "flat"};
@@ -34,6 +35,9 @@ void visit(FieldVisitor& v, FrameOptions& o)
 void visit(FieldVisitor& v, WaterOptions& o)
 {
     v.field({"enabled", "Draw the water and all that belongs to it; off shows the dry basin"}, o.enabled);
+    v.choice({"grid", "Where the vertices of the surface stand: evenly over the water as published, or where the view "
+                      "is, closest near the eye"},
+             o.grid, waterGridNames);
     v.field({"grid_size", "Vertices along one edge of the surface's grid", "vertices", 2, 1025}, o.gridSize);
     v.choice({"normals", "Where the wave normals are worked out; per vertex is as published"}, o.normals,
              waterNormalsNames);

@@ -19,7 +19,9 @@ struct FrameOptions {
 struct WaterOptions {
     enum class Normals { pixel, vertex };
     enum class Fresnel { schlick, exact };
+    enum class Grid { uniform, focused };
     bool enabled = true;
+    Grid grid = Grid::uniform;
     int gridSize = 49;
     Normals normals = Normals::pixel;
     bool filterWaves = true;

@@ -82,7 +82,21 @@ struct Tracer::State {
     std::optional<WaterSurface> surface(const ViewRequest& view) const
     {
         if (!body.present) return std::nullopt;
-        return WaterSurface(body, view.time, view.gridSize, view.normalGridSize);
+        return WaterSurface(body, view.time, grid(view, view.gridSize), grid(view, view.normalGridSize));
+    }
+    /// As the viewer would lay it for this view; nothing for fewer than two vertices.
+    std::optional<optics64::WaterGrid> grid(const ViewRequest& view, int size) const
+    {
+        if (size < 2) return std::nullopt;
+        const glm::dvec4 rect(body.centre.x, body.centre.y, 0.5f * body.extent.x, 0.5f * body.extent.y);
+        if (!view.gridFocused) return optics64::uniformGrid(rect, size);
+        double amplitude = 0.0;
+        for (const Wave& w : body.waves) amplitude += static_cast<double>(std::abs(w.amplitude));
+        const float aspect = static_cast<float>(view.size.x) / static_cast<float>(view.size.y);
+        const glm::dmat4 clipFromWorld =
+            glm::dmat4(clipFromView(view.camera, aspect)) * glm::dmat4(viewFromWorld(view.camera));
+        return optics64::focusedGrid(rect, static_cast<double>(body.level), amplitude, size,
+                                     glm::dvec3(view.camera.eye), clipFromWorld);
     }
     SunMap sunMap(const ViewRequest& view, const ReferenceOptions& options, Progress* progress) const;
     World world(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
@@ -164,10 +178,11 @@ std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOpti
     const auto triple = [](const vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
     std::string text = fmt::format(
         "{}; eye {}; target {}; up {}; fov {}; time {}; {}x{}; depth {}; bounces {}; photons {}; seed {}; water {} {} "
-        "{},{} {},{}; grid {}; flat {}; sun {}; roughness {}",
+        "{},{} {},{}; grid {}{}; flat {}; sun {}; roughness {}",
         scene.file.string(), triple(c.eye), triple(c.target), triple(c.up), c.verticalFov, view.time, view.size.x,
         view.size.y, options.depth, options.bounces, options.photons, options.seed, body.level, body.ior, body.extent.x,
-        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.flatLight, triple(light.sunDirection), sunRoughness);
+        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.gridSize > 0 && view.gridFocused ? " focused" : "",
+        view.flatLight, triple(light.sunDirection), sunRoughness);
     for (const Wave& w : body.waves)
         text += fmt::format("; {} {} {} {} {}", w.amplitude, w.wavelength, w.direction, w.phase, w.period);
     text += fmt::format("; {}; {}; {} triangles at {}", triple(body.absorption), triple(body.colour),

@@ -29,6 +29,7 @@ struct ViewRequest {
     /// > 0: the surface that the eye sees is what the viewer's grid draws of it, and its normals are those of a grid's
     /// vertices, interpolated. The sun's light goes through the waves themselves, as in the viewer.
     int gridSize = 0, normalGridSize = 0;
+    bool gridFocused = false; ///< whether these grids are focused on the view (water.grid)
     bool flatLight = false; ///< the sun's light under water as a flat surface lets it through
     /// The sun's light under water as a texture over a part of the level holds it; beside it that of a flat surface.
     struct CausticsTexture {

@@ -97,11 +97,9 @@ void clipRange(double start, double rate, double least, double most, double& low
 
 } // namespace
 
-WaterSurface::WaterSurface(const WaterBody& water, double time, int gridSize, int normalGridSize)
+WaterSurface::WaterSurface(const WaterBody& water, double time, const Grid& grid, const Grid& normalGrid)
     : time_(time), level_(water.level), lower_(dvec2(water.centre) - 0.5 * dvec2(water.extent)),
-      upper_(dvec2(water.centre) + 0.5 * dvec2(water.extent)), gridSize_(gridSize),
-      normalGridSize_(normalGridSize),
-      rect_(water.centre.x, water.centre.y, 0.5 * static_cast<double>(water.extent.x), 0.5 * static_cast<double>(water.extent.y))
+      upper_(dvec2(water.centre) + 0.5 * dvec2(water.extent)), grid_(grid), normalGrid_(normalGrid)
 {
     const std::size_t count = std::min<std::size_t>(water.waves.size(), maxWaves);
     for (std::size_t i = 0; i < count; ++i) {
@@ -109,6 +107,10 @@ WaterSurface::WaterSurface(const WaterBody& water, double time, int gridSize, in
         waves_.push_back(optics64::makeWaveTerm(w.amplitude, w.wavelength, w.direction, w.phase, w.period));
     }
     amplitude_ = optics64::totalAmplitude(waves_);
+    if (!grid_) return;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        for (int i = 0; i < static_cast<int>((*grid_)[axis].vertices); ++i)
+            lines_[axis].push_back(optics64::gridPlace((*grid_)[axis], i));
 }
 
 bool WaterSurface::spans(double x, double z) const
@@ -118,8 +120,9 @@ bool WaterSurface::spans(double x, double z) const
 
 double WaterSurface::height(double x, double z) const
 {
-    if (gridSize_ > 1)
-        return level_ + optics64::gridHeight(waves_.data(), static_cast<int>(waves_.size()), {x, z}, time_, rect_, gridSize_);
+    if (grid_)
+        return level_ + optics64::gridHeight(waves_.data(), static_cast<int>(waves_.size()), {x, z}, time_, (*grid_)[0],
+                                             (*grid_)[1]);
     double sum = level_;
     for (const optics64::WaveTerm& w : waves_) sum += optics64::waveTerm(w, {x, z}, time_).x;
     return sum;
@@ -132,23 +135,28 @@ bool WaterSurface::contains(const dvec3& point) const
 
 dvec3 WaterSurface::normal(double x, double z) const
 {
-    if (normalGridSize_ < 2) return waveNormal(x, z);
-    // The triangle of the grid: see gridHeight in shaders/shared/waves.glsl.
-    const double cells = normalGridSize_ - 1;
-    const dvec2 cell = (upper_ - lower_) / cells;
-    const dvec2 at = glm::clamp((dvec2(x, z) - lower_) / cell, dvec2(0.0), dvec2(cells));
-    const dvec2 corner = glm::min(glm::floor(at), dvec2(cells - 1.0));
-    const dvec2 f = at - corner;
+    if (!normalGrid_) return waveNormal(x, z);
+    // The triangle of the grid: see gridHeight in shaders/shared/water_grid.glsl.
+    const auto& [axisX, axisZ] = *normalGrid_;
+    const auto place = [&](const dvec2& line) {
+        return dvec2(optics64::gridPlace(axisX, line.x), optics64::gridPlace(axisZ, line.y));
+    };
+    const dvec2 line(optics64::gridLine(axisX, x), optics64::gridLine(axisZ, z));
+    const dvec2 corner = glm::min(glm::floor(line), dvec2(axisX.vertices, axisZ.vertices) - 2.0);
+    const dvec2 first = place(corner), last = place(corner + 1.0);
+    const dvec2 f = glm::clamp((dvec2(x, z) - first) / glm::max(last - first, dvec2(1e-9)), dvec2(0.0), dvec2(1.0));
     const bool isFirst = f.x + f.y <= 1.0;
     const dvec2 own = isFirst ? corner : corner + 1.0;
     const double way = isFirst ? 1.0 : -1.0;
     const dvec2 weight = isFirst ? f : 1.0 - f;
-    const auto vertex = [&](const dvec2& place) {
-        const dvec2 p = lower_ + place * cell;
-        return waveNormal(p.x, p.y);
+    const auto vertex = [&](const dvec2& at) {
+        const dvec2 p = place(at), cell(optics64::gridCell(axisX, at.x), optics64::gridCell(axisZ, at.y));
+        dvec3 sum(0.0);
+        for (const optics64::WaveTerm& w : waves_) sum += optics64::gridTerm(w, p, cell, time_);
+        return dvec2(sum.y, sum.z);
     };
-    return glm::normalize((1.0 - weight.x - weight.y) * vertex(own) + weight.x * vertex(own + dvec2(way, 0.0)) +
-                          weight.y * vertex(own + dvec2(0.0, way)));
+    return optics64::waveNormal((1.0 - weight.x - weight.y) * vertex(own) + weight.x * vertex(own + dvec2(way, 0.0)) +
+                                weight.y * vertex(own + dvec2(0.0, way)));
 }
 
 dvec3 WaterSurface::waveNormal(double x, double z) const
@@ -173,7 +181,7 @@ std::optional<double> WaterSurface::intersect(const Ray& ray, double tMin, doubl
     clipRange(ray.origin.y, d.y, level_ - room, level_ + room, lower, upper);
     if (!(lower < upper)) return std::nullopt;
     const double side = fromAbove ? 1.0 : -1.0;
-    if (gridSize_ > 1) return intersectGrid(ray, lower, upper, side);
+    if (grid_) return intersectGrid(ray, lower, upper, side);
 
     const dvec3 start = ray.origin + lower * d;
     const WavesAlongRay waves(waves_, time_, start, d);
@@ -219,22 +227,29 @@ double WaterSurface::polish(const Ray& ray, double t, double side) const
 /// Along a ray the grid's height is a line between the edges of its triangles: walk from edge to edge.
 std::optional<double> WaterSurface::intersectGrid(const Ray& ray, double tMin, double tMax, double side) const
 {
-    const double cells = gridSize_ - 1;
-    const dvec2 cell = (upper_ - lower_) / cells;
-    // In cells: the edges lie where u, v or u + v is whole.
-    const dvec2 from((ray.origin.x - lower_.x) / cell.x, (ray.origin.z - lower_.y) / cell.y);
-    const dvec2 rate(ray.direction.x / cell.x, ray.direction.z / cell.y);
-    const std::array<double, 3> starts{from.x, from.y, from.x + from.y}, rates{rate.x, rate.y, rate.x + rate.y};
+    // Of a cell with the ray's point in it: its two lines on either axis, and the diagonal between its triangles.
+    const auto cellAt = [&](std::size_t axis, double place) {
+        const std::vector<double>& lines = lines_[axis];
+        const auto after = std::upper_bound(lines.begin() + 1, lines.end() - 1, place);
+        return dvec2(*(after - 1), *after);
+    };
+    constexpr double past = 1e-9; // m, beyond an edge that was reached
     const auto nextEdge = [&](double t) {
+        const dvec3 p = ray.origin + (t + past) * ray.direction;
+        const dvec2 x = cellAt(0, p.x), z = cellAt(1, p.z);
         double next = tMax;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (std::abs(rates[i]) < 1e-12) continue;
-            const double at = starts[i] + (t + 1e-9) * rates[i];
-            const double edge = rates[i] > 0.0 ? std::floor(at) + 1.0 : std::ceil(at) - 1.0;
-            const double when = (edge - starts[i]) / rates[i];
-            if (when > t + 1e-9) next = std::min(next, when);
+        const auto meets = [&](double distance, double rate) {
+            if (std::abs(rate) < 1e-12) return;
+            const double when = t + past + distance / rate;
+            if (when > t + past) next = std::min(next, when);
+        };
+        for (int end = 0; end < 2; ++end) {
+            meets(x[end] - p.x, ray.direction.x);
+            meets(z[end] - p.z, ray.direction.z);
         }
-        return next;
+        const dvec2 size = glm::max(dvec2(x[1] - x[0], z[1] - z[0]), dvec2(1e-9));
+        meets(1.0 - (p.x - x[0]) / size.x - (p.z - z[0]) / size.y, ray.direction.x / size.x + ray.direction.z / size.y);
+        return std::max(next, t + past);
     };
     double t = tMin;
     double gap = side * heightAbove(ray.origin + t * ray.direction);

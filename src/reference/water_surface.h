@@ -2,9 +2,11 @@
 #pragma once
 
 #include "optics/optics.h"
+#include "optics/water_grid.h"
 #include "optics/waves.h"
 #include "reference/geometry.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,10 +15,12 @@ namespace tarn::reference {
 
 class WaterSurface {
 public:
-    /// @param gridSize 0: the wave function, else a grid of gridSize x gridSize vertices, as passes/water.vert draws it
-    /// @param normalGridSize 0: the waves' own normals, else those of the vertices of such a grid, in between them
+    using Grid = std::optional<optics64::WaterGrid>;
+
+    /// @param grid nothing: the wave function, else the triangles that passes/water.vert makes of it
+    /// @param normalGrid nothing: the waves' own normals, else those of the vertices of such a grid, in between them
     /// interpolated
-    WaterSurface(const WaterBody& water, double time, int gridSize = 0, int normalGridSize = 0);
+    WaterSurface(const WaterBody& water, double time, const Grid& grid = {}, const Grid& normalGrid = {});
 
     /// Whether a point is over or under the water's rectangle.
     bool spans(double x, double z) const;
@@ -47,8 +51,8 @@ private:
     std::vector<optics64::WaveTerm> waves_;
     double time_ = 0.0, level_ = 0.0, amplitude_ = 0.0;
     dvec2 lower_{0.0}, upper_{0.0};
-    int gridSize_ = 0, normalGridSize_ = 0;
-    glm::dvec4 rect_{0.0}; ///< centre and half extent
+    Grid grid_, normalGrid_;
+    std::array<std::vector<double>, 2> lines_; ///< where the grid's lines stand along x and z, m
 };
 
 } // namespace tarn::reference

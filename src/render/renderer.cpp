@@ -237,6 +237,7 @@ void Renderer::State::beginFrame(const FrameInput& input)
         reflectionViewBelow = tarn::reflectionView(input.camera, aspect, water, options.reflection, true);
     }
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
+    for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(stats.plan.waterGrid[axis]);
     frameBlock.update(light);
     wavesBlock.update(tarn::wavesBlock(water, input.time));
     painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
@@ -367,7 +368,7 @@ void Renderer::State::drawScene(const FrameInput& input)
         input.view != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
     FrameStats::Pass& pass = beginPass(PassId::scene, main, drawnSize);
-    if (isCrossing) sideOfPixels = &waterline.draw(main, options.water.gridSize, drawnSize);
+    if (isCrossing) sideOfPixels = &waterline.draw(main, drawnSize);
     inputs.style.waterline = sideOfPixels;
     scenePass.draw(painter, frame, inputs, pass);
     if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));

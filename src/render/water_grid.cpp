@@ -12,8 +12,7 @@ void WaterGrid::ensure(int size)
     vertices.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     for (int z = 0; z < size; ++z)
         for (int x = 0; x < size; ++x)
-            vertices.emplace_back(2.0f * static_cast<float>(x) / static_cast<float>(size - 1) - 1.0f,
-                                  2.0f * static_cast<float>(z) / static_cast<float>(size - 1) - 1.0f);
+            vertices.emplace_back(static_cast<float>(x), static_cast<float>(z));
     std::vector<std::uint32_t> indices;
     indices.reserve(static_cast<std::size_t>(size - 1) * static_cast<std::size_t>(size - 1) * 6);
     for (int z = 0; z + 1 < size; ++z) {

@@ -1,4 +1,5 @@
-// The water's grid of vertices, -1 to 1 over its rectangle; the passes that draw the surface share it.
+// The water's grid of vertices, numbered by its lines (shared/water_grid.glsl tells where they stand); the passes that
+// draw the surface share it.
 #pragma once
 
 #include "gl/buffer.h"

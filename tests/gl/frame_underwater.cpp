@@ -303,9 +303,10 @@ TEST(Sweep, TheDrawnSurfaceIsTheMeshs)
 {
     const Scene scene = sweepScene();
     const DrawnMesh mesh(scene.water, 49, 3.0);
+    const optics64::WaterGrid grid = optics64::uniformGrid({0.0, 0.0, 12.0, 12.0}, 49);
     for (int i = 0; i < 2000; ++i) {
         const vec2 at(-11.9f + 0.0119f * static_cast<float>(i), 11.0f - 0.0087f * static_cast<float>(i));
-        EXPECT_NEAR(drawnHeight(scene.water, 49, at, 3.0), mesh.height(dvec3(at.x, 0.0, at.y)), 2.0e-6);
+        EXPECT_NEAR(drawnHeight(scene.water, grid, at, 3.0), mesh.height(dvec3(at.x, 0.0, at.y)), 2.0e-6);
     }
 }
 

@@ -201,7 +201,7 @@ TEST(FramePlan, TheNearPlaneIsAboveBelowOrCutByTheSurface)
         for (int c = 0; c < 25; ++c) {
             const vec2 at(static_cast<float>(c % 5) * 0.5f - 1.0f, static_cast<float>(c / 5) * 0.5f - 1.0f);
             const vec3 p = eye + vec3(at.x * 0.0466f * 4.0f / 3.0f, at.y * 0.0466f, -0.1f);
-            const float over = p.y - drawnHeight(water, 49, vec2(p.x, p.z), 0.0);
+            const float over = p.y - drawnHeight(water, planAt(eye).waterGrid, vec2(p.x, p.z), 0.0);
             least = std::min(least, over);
             most = std::max(most, over);
         }

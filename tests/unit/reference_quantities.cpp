@@ -1,4 +1,5 @@
 // The reference's geometry against closed forms: where rays meet the water and the bed, and what share is reflected.
+#include "optics/water_grid.h"
 #include "optics/waves.h"
 #include "reference/reference.h"
 #include "test_scenes.h"
@@ -152,11 +153,12 @@ TEST(ReferenceQuantities, TheGridsSurfaceIsThatOfItsTriangles)
                                                .gridSize = 49,
                                                .approximations = {}},
                                               {.photons = 10000});
+    const optics64::WaterGrid grid = optics64::uniformGrid({0.0, 0.0, 15.0, 15.0}, 49);
     double furthest = 0.0;
     for (std::size_t i = 0; i < picture.pixels(); ++i) {
         if (!picture.has(i, Event::meetsWater)) continue;
         const dvec3 U(picture.surface[i]);
-        EXPECT_NEAR(U.y, optics64::gridHeight(terms.data(), 3, {U.x, U.z}, 0.7, {0.0, 0.0, 15.0, 15.0}, 49), 1e-5);
+        EXPECT_NEAR(U.y, optics64::gridHeight(terms.data(), 3, {U.x, U.z}, 0.7, grid[0], grid[1]), 1e-5);
         furthest = std::max(furthest, std::abs(U.y - optics64::waveHeight(terms, {U.x, U.z}, 0.7)));
     }
     EXPECT_GT(furthest, 1e-3); // and that is not the waves'

@@ -101,6 +101,7 @@ std::vector<std::string> defaultSweeps()
             "caustics.filter=0:2",
             "sunlight.map_size=512:4096:*2",
             "sunlight.taps=1,2,3,5",
+            "water.grid=uniform,focused",
             "water.grid_size=17,33,49,97,193",
             "water.normals=vertex,pixel",
             "water.filter_waves=false,true",

@@ -4,7 +4,7 @@
 
 namespace tarn {
 
-const gl::Texture& WaterlinePass::draw(const View& view, int gridSize, ivec2 size)
+const gl::Texture& WaterlinePass::draw(const View& view, ivec2 size)
 {
     if (!program_) program_ = shaders_.program("waterline", "passes/fullscreen.vert", "passes/waterline.frag");
     target_.ensure({.size = size, .colours = {gl::Format::rg8}, .filter = gl::Filter::nearest});
@@ -17,7 +17,6 @@ const gl::Texture& WaterlinePass::draw(const View& view, int gridSize, ivec2 siz
     program_->set("nearCorner", vec3(worldFromView * vec4(-half.x, -half.y, -view.nearPlane, 1.0f)));
     program_->set("nearAcross", 2.0f * half.x * vec3(worldFromView[0]));
     program_->set("nearUp", 2.0f * half.y * vec3(worldFromView[1]));
-    program_->set("gridSize", gridSize);
     triangle_.draw();
     return target_.colour();
 }

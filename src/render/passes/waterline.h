@@ -16,8 +16,8 @@ public:
 
     /// Red: 1 where a pixel is under the drawn surface and within the water's rectangle; green: 1 on the line itself.
     /// FrameBlock, the waves and the view's ViewBlock must be bound.
-    /// @param gridSize of the drawn surface, vertices   @param size of the picture, pixels
-    const gl::Texture& draw(const View& view, int gridSize, ivec2 size);
+    /// @param size of the picture, pixels
+    const gl::Texture& draw(const View& view, ivec2 size);
 
 private:
     gl::ShaderLibrary& shaders_;

@@ -1,0 +1,112 @@
+// The grid that draws the water: where its vertices stand, and the surface that its triangles make.
+//
+// Needs blocks.glsl (GridAxis, WaveTerm) and waves.glsl. Lines of vertices along x and z cross, so that the grid covers
+// its rectangle without gaps whatever their distances. On a focused axis line i stands at
+//     centre + scale · sinh(u), u even between `from` and `to` over the lines 1 to vertices - 2:
+// about `scale` / (lines per unit of u) apart near the eye and in proportion to the distance far from it, which is how
+// perspective shrinks what they draw. The first and the last line stand on the rectangle's ends, beside the view.
+// Metres, seconds, radians.
+
+SHARED float gridSinh(float u) { return 0.5 * (exp(u) - exp(-u)); }
+SHARED float gridCosh(float u) { return 0.5 * (exp(u) + exp(-u)); }
+
+// Odd by construction: for a large negative x the usual formula is a difference of equals.
+SHARED float gridAsinh(float x)
+{
+    float size = abs(x);
+    float u = log(size + sqrt(size * size + 1.0));
+    return x < 0.0 ? -u : u;
+}
+
+// u of a focused axis' line.
+SHARED float gridParameter(GridAxis axis, float line)
+{
+    float inner = axis.vertices - 3.0; // cells between the second line and the last but one
+    return mix(axis.from, axis.to, clamp((line - 1.0) / inner, 0.0, 1.0));
+}
+
+// Where a line stands, m; lines count from 0.
+SHARED float gridPlace(GridAxis axis, float line)
+{
+    float last = axis.vertices - 1.0;
+    if (line <= 0.0) return axis.lower;
+    if (line >= last) return axis.upper;
+    if (axis.scale <= 0.0)
+        return 0.5 * (axis.lower + axis.upper) + (2.0 * line / last - 1.0) * 0.5 * (axis.upper - axis.lower);
+    return clamp(axis.centre + axis.scale * gridSinh(gridParameter(axis, line)), axis.lower, axis.upper);
+}
+
+// Distance between a focused axis' lines about this one, m; 0 for an even axis, which fades no waves.
+SHARED float gridCell(GridAxis axis, float line)
+{
+    if (axis.scale <= 0.0) return 0.0;
+    float step = (axis.to - axis.from) / (axis.vertices - 3.0);
+    return axis.scale * gridCosh(gridParameter(axis, line)) * step;
+}
+
+// The line at a place, with the way to the next as its fraction: gridPlace's inverse. 0 to vertices - 1.
+SHARED float gridLine(GridAxis axis, float place)
+{
+    float last = axis.vertices - 1.0;
+    float x = clamp(place, axis.lower, axis.upper);
+    float line;
+    if (axis.scale <= 0.0) {
+        line = (x - axis.lower) / (axis.upper - axis.lower) * last;
+    } else {
+        float second = gridPlace(axis, 1.0);
+        float lastButOne = gridPlace(axis, last - 1.0);
+        if (x < second) {
+            line = (x - axis.lower) / (second - axis.lower);
+        } else if (x > lastButOne) {
+            line = last - (axis.upper - x) / (axis.upper - lastButOne);
+        } else {
+            float u = gridAsinh((x - axis.centre) / axis.scale);
+            line = clamp(1.0 + (u - axis.from) / (axis.to - axis.from) * (last - 2.0), 1.0, last - 1.0);
+        }
+    }
+    return clamp(line, 0.0, last);
+}
+
+// What is left of a wave at a vertex whose neighbours stand `cell` metres away: all of it down to four cells a wave,
+// nothing from one and a half on. Between two and one the triangles are further from such a wave than flat ones, and what
+// they make of it jumps about as the vertices follow the eye.
+SHARED float gridFade(WaveTerm w, vec2 cell)
+{
+    float advance = length(w.k * cell); // radians from vertex to vertex
+    float x = clamp((advance - 1.5707963) / (4.1887902 - 1.5707963), 0.0, 1.0);
+    return 1.0 - x * x * (3.0 - 2.0 * x);
+}
+
+// Height and slope of a component at a vertex.
+SHARED vec3 gridTerm(WaveTerm w, vec2 place, vec2 cell, float t)
+{
+    return gridFade(w, cell) * waveTerm(w, place, t);
+}
+
+// Height of the surface as it is drawn: the triangulation is that of src/render/water_grid.cpp. x lies in the rectangle
+// or is taken at its edge.
+SHARED float gridHeight(WAVE_ARRAY int count, vec2 x, float t, GridAxis axisX, GridAxis axisZ)
+{
+    vec2 corner = vec2(min(floor(gridLine(axisX, x.x)), axisX.vertices - 2.0),
+                       min(floor(gridLine(axisZ, x.y)), axisZ.vertices - 2.0));
+    vec2 lower = vec2(gridPlace(axisX, corner.x), gridPlace(axisZ, corner.y));
+    vec2 upper = vec2(gridPlace(axisX, corner.x + 1.0), gridPlace(axisZ, corner.y + 1.0));
+    vec2 f = clamp((x - lower) / max(upper - lower, vec2(1.0e-9)), vec2(0.0), vec2(1.0));
+    vec2 cellLower = vec2(gridCell(axisX, corner.x), gridCell(axisZ, corner.y));
+    vec2 cellUpper = vec2(gridCell(axisX, corner.x + 1.0), gridCell(axisZ, corner.y + 1.0));
+    // The corner that the two triangles of a cell do not share, its opposite, and the way from it into the cell.
+    bool isFirst = f.x + f.y <= 1.0;
+    vec2 own = isFirst ? lower : upper;
+    vec2 other = isFirst ? upper : lower;
+    vec2 cellOwn = isFirst ? cellLower : cellUpper;
+    vec2 cellOther = isFirst ? cellUpper : cellLower;
+    vec2 weight = isFirst ? f : vec2(1.0) - f;
+    float height = 0.0;
+    for (int i = 0; i < count; ++i) {
+        float here = gridTerm(waves[i], own, cellOwn, t).x;
+        float across = gridTerm(waves[i], vec2(other.x, own.y), vec2(cellOther.x, cellOwn.y), t).x;
+        float along = gridTerm(waves[i], vec2(own.x, other.y), vec2(cellOwn.x, cellOther.y), t).x;
+        height += here + weight.x * (across - here) + weight.y * (along - here);
+    }
+    return height;
+}
