@@ -19,8 +19,9 @@ void main()
     float here = -viewZFromDepth(gl_FragCoord.z, nearPlane, farPlane);
     if (seen < 0.95 * here - 0.1) discard;
 
+    Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
-    vec3 mirrored = reflectRay(-sunDirection, surfaceHere().normal);
+    vec3 mirrored = reflectRay(-sunDirection, surface.normal);
     float highlight = pow(max(dot(mirrored, toEye), 1.0e-6), glowExponent); // 0 to a power is undefined in GLSL
     fragment = vec4(highlight * glowColour, 1.0);
 }

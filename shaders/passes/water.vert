@@ -5,7 +5,7 @@
 
 layout(location = 0) in vec2 line; // of the grid along x and along z, from 0
 
-out vec3 surfaceW;
+out vec3 drawnW;
 #ifdef VERTEX_NORMALS
 out vec2 vertexSlope;
 #endif
@@ -16,9 +16,9 @@ void main()
     vec2 cell = vec2(gridCell(waterGrid[0], line.x), gridCell(waterGrid[1], line.y));
     vec3 sum = vec3(0.0); // height and slope
     for (int i = 0; i < int(waveCount); ++i) sum += gridTerm(waves[i], xz, cell, time);
-    surfaceW = vec3(xz.x, waterLevel + sum.x, xz.y);
+    drawnW = vec3(xz.x, waterLevel + sum.x, xz.y);
 #ifdef VERTEX_NORMALS
     vertexSlope = sum.yz;
 #endif
-    gl_Position = clipFromWorld * vec4(surfaceW, 1.0);
+    gl_Position = clipFromWorld * vec4(drawnW, 1.0);
 }

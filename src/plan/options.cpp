@@ -39,6 +39,10 @@ void visit(FieldVisitor& v, WaterOptions& o)
                       "is, closest near the eye"},
              o.grid, waterGridNames);
     v.field({"grid_size", "Vertices along one edge of the surface's grid", "vertices", 2, 1025}, o.gridSize);
+    v.field({"surface_steps", "Steps of Newton's method, per pixel, from the grid's triangle to the waves themselves; 0 stays "
+                              "on the triangle, as published",
+             "steps", 0, 8},
+            o.surfaceSteps);
     v.choice({"normals", "Where the wave normals are worked out; per vertex is as published"}, o.normals,
              waterNormalsNames);
     v.field(

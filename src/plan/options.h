@@ -23,6 +23,7 @@ struct WaterOptions {
     bool enabled = true;
     Grid grid = Grid::uniform;
     int gridSize = 49;
+    int surfaceSteps = 1;
     Normals normals = Normals::pixel;
     bool filterWaves = true;
     Fresnel fresnel = Fresnel::exact;

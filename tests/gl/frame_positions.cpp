@@ -4,13 +4,16 @@
 
 #include "gl/shader_library.h"
 #include "optics/optics.h"
+#include "optics/waves.h"
 #include "render/renderer.h"
 #include "render/view.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace tarn::test {
 
@@ -248,6 +251,46 @@ TEST(Positions, AnEyeUnderWaterSeesTheCeilingAndMirrorsTheBed)
         worst = std::max(worst, glm::distance(surface + mirrored(ray) * (4.0 / ray.y), dvec3(value)));
     });
     EXPECT_LT(worst, 0.02);
+}
+
+// water.surface_steps: Newton's method brings the grid's points onto the waves, whatever the grid.
+TEST(FramePositions, NewtonsMethodLeavesTheTrianglesForTheWaves)
+{
+    Scene scene = flatLake(depth);
+    Wave wave;
+    wave.amplitude = 0.02f;
+    wave.wavelength = 3.0f;
+    wave.direction = 30.0f;
+    scene.water.waves = {wave};
+    const std::vector<optics64::WaveTerm> terms{optics64::makeWaveTerm(0.02, 3.0, 30.0, 0.0)};
+    constexpr double time = 0.8;
+    Options options;
+    options.frame.msaa = 1;
+    options.water.filterWaves = false;
+    options.water.gridSize = 1025; // cells of 0.4 m over 400 m
+    Studio studio(scene, options);
+    const Camera camera = lookAlong(-35.0f, 2.0f);
+    const Rays rays(camera);
+    std::array<double, 3> worst{};
+    for (int steps = 0; steps <= 2; ++steps) {
+        options.water.surfaceSteps = steps;
+        studio.setOptions(options, scene.water);
+        const Image u = studio.linear(camera, pictureSize, time, DebugView::positionU);
+        double& error = worst[static_cast<std::size_t>(steps)];
+        for (int y = pictureSize.y / 2; y < pictureSize.y; ++y) {
+            for (int x = 0; x < pictureSize.x; ++x) {
+                const dvec3 p(pixel(u, x, y));
+                const double height = optics64::waveTerm(terms.front(), {p.x, p.z}, time).x;
+                error = std::max(error, std::abs(p.y - height));
+                // Along the eye's ray and nowhere else.
+                const dvec3 way = glm::normalize(p - dvec3(camera.eye));
+                ASSERT_LT(glm::distance(way, rays.through(x, y)), 1e-4);
+            }
+        }
+    }
+    EXPECT_GT(worst[0], 5e-4); // else there is nothing to mend
+    EXPECT_LT(worst[1], 0.1 * worst[0]);
+    EXPECT_LT(worst[2], 1e-5);
 }
 
 } // namespace tarn::test

@@ -1,7 +1,7 @@
 // frame.supersampling: a picture is the mean of one that is drawn larger.
-#include "test_scenes.h"
 #include "gl/shader_library.h"
 #include "studio.h"
+#include "test_scenes.h"
 
 namespace tarn::test {
 namespace {
@@ -46,10 +46,12 @@ TEST(FrameSupersampling, APixelIsTheMeanOfThoseDrawnForIt)
             for (int x = 0; x < size.x; ++x) {
                 vec4 expected(0.0f);
                 for (int j = 0; j < edge; ++j)
-                    for (int i = 0; i < edge; ++i) expected += pixel(large, edge * x + i, edge * y + j);
+                    for (int i = 0; i < edge; ++i)
+                        expected += pixel(large, edge * x + i, edge * y + j);
                 expected /= static_cast<float>(edge * edge);
                 const vec4 is = pixel(mean, x, y);
-                for (int c = 0; c < 3; ++c) EXPECT_NEAR(is[c], expected[c], 1e-3f * expected[c] + 1e-5f) << x << "," << y;
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(is[c], expected[c], 1e-3f * expected[c] + 1e-5f) << x << "," << y;
                 const vec4 one = pixel(large, edge * x, edge * y);
                 isAnyMixed = isAnyMixed || std::abs(one.x - expected.x) > 0.05f * expected.x;
             }

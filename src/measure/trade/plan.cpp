@@ -103,6 +103,7 @@ std::vector<std::string> defaultSweeps()
             "sunlight.taps=1,2,3,5",
             "water.grid=uniform,focused",
             "water.grid_size=17,33,49,97,193",
+            "water.surface_steps=0,1,2",
             "water.normals=vertex,pixel",
             "water.filter_waves=false,true",
             "frame.msaa=1,2,4,8",

@@ -9,6 +9,7 @@ gl::Program& GlowPass::highlightProgram(const WaterOptions& options)
     gl::Defines defines;
     if (options.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
+    defines.emplace_back("SURFACE_STEPS", std::to_string(options.surfaceSteps));
     auto& program = programs_[defines];
     if (!program) program = shaders_.program("glow", "passes/water.vert", "passes/glow.frag", defines);
     return *program;

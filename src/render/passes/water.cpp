@@ -43,6 +43,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (options.refraction.method == RefractionOptions::Method::iterative) defines.emplace_back("ITERATIVE", "1");
     if (options.water.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
+    defines.emplace_back("SURFACE_STEPS", std::to_string(options.water.surfaceSteps));
     if (options.water.fresnel == WaterOptions::Fresnel::exact) defines.emplace_back("EXACT_FRESNEL", "1");
     if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
     if (!inputs.underwater && options.reflection.facets != ReflectionOptions::Facets::one)
