@@ -292,10 +292,11 @@ std::function<Command()> defineTrade(Flags& flags)
     flags.list("--sweep", "KEY=VALUES",
                "Sweep an option: 1:8, 1:64:*2, 0:1:0.25 or a,b,c; a plan of its own by default", c.sweeps);
     flags.toggle("--grid", "Every combination of the sweeps, instead of one option at a time", c.grid);
+    flags.toggle("--presets-only", "Measure the options as given and the presets, and sweep nothing", c.presetsOnly);
     flags.value("--views", "NAMES", "Cameras, a,b,c; the scene's first eight by default",
                 [&c](const std::string& text, const std::string& flag) { c.views = parseNames(text, flag); });
     flags.value(
-        "--times", "S,S", "Times of the waves, s",
+        "--times", "S,S", "Times of the waves, s, all of them in each view; by default the views take turns at 0 and 1.7",
         [&c](const std::string& text, const std::string& flag) { c.times = parseNumbers(text, flag); });
     flags.value("--size", "WxH", "Size of the pictures, pixels",
                 [&c](const std::string& text, const std::string& flag) { c.size = parseSize(text, flag); });

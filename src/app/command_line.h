@@ -88,10 +88,11 @@ struct TradeCommand {
     std::vector<std::string> sweeps; ///< "key=values"; empty: the default plan
     bool grid = false;
     std::vector<std::string> views;      ///< names of cameras; empty: the first eight
-    std::vector<double> times{0.0, 1.7}; ///< s
+    bool presetsOnly = false;            ///< the base and the presets, and no sweeps
+    std::vector<double> times;           ///< s; empty: two moments, at which the views take turns
     ivec2 size{320, 240};                ///< pixels
-    int frames = 20;                     ///< frames timed of each setting
-    int samples = 96;                    ///< of the reference, through each pixel
+    int frames = 3;                      ///< frames timed of each setting in each view
+    int samples = 32;                    ///< of the reference, through each pixel
     int shard = 1, shards = 1;           ///< this part of so many
     std::vector<std::filesystem::path> merge;
     bool fresh = false;

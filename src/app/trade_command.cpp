@@ -65,10 +65,11 @@ TradeSetup setupOf(const TradeCommand& command, const Stage& stage, const std::v
     TradeSetup setup;
     setup.describe = describerOf(stage.settings);
     const std::vector<Preset> presets = command.sweeps.empty() ? loadPresets() : std::vector<Preset>{};
-    setup.plan = planTrade({command.sweeps, command.grid, presets}, setup.describe);
+    setup.plan = planTrade({command.sweeps, command.grid, presets, command.presetsOnly}, setup.describe);
     for (const Camera& camera : views)
         setup.views.push_back(camera.name);
-    setup.times = command.times;
+    setup.takesTurns = command.times.empty();
+    setup.times = command.times.empty() ? std::vector<double>{0.0, 1.7} : command.times;
     setup.about = {{"scene", stage.scene.file.filename().string()},
                    {"content", contentOf(stage.scene)},
                    {"size", fmt::format("{}x{}", command.size.x, command.size.y)},
@@ -126,9 +127,12 @@ TradeResults measure(const TradeCommand& command, const Stage& stage, const std:
 {
     const auto lab = [&] {
         TerminalProgress progress;
+        std::vector<double> times;
+        for (std::size_t view = 0; view < views.size(); ++view)
+            times.push_back(setup.times[setup.timesOf(view).front()]);
         return makeTradeLab(stage, {.views = views,
                                    .size = command.size,
-                                   .time = command.times.front(),
+                                   .times = times,
                                    .frames = command.frames,
                                    .samples = command.samples,
                                    .references = command.out / "references"},

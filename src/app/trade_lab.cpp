@@ -100,12 +100,12 @@ public:
 
     std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) override
     {
-        const SubjectView subjectView{arguments_.views[view], arguments_.time, arguments_.size};
+        const SubjectView subjectView{arguments_.views[view], arguments_.times[view], arguments_.size};
         std::vector<std::unique_ptr<BenchSubject>> subjects;
         for (const TradePoint& point : points)
             subjects.push_back(
                 std::make_unique<SettledSubject>(point.label, session_, settingsOf(point), subjectView));
-        const BenchReport report = runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 2});
+        const BenchReport report = runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 1});
         std::vector<Price> prices;
         for (const BenchResult& result : report.results)
             prices.push_back(priceOf(result, report.results.front()));
@@ -116,9 +116,9 @@ public:
     {
         const Settings settings = settleWithoutGlow(point);
         const Camera& camera = arguments_.views[view];
-        session_.renderer().render({camera, arguments_.time, arguments_.size});
+        session_.renderer().render({camera, arguments_.times[view], arguments_.size});
         const Image shown = session_.renderer().readDisplay();
-        const Image truth = truth_.display(camera, arguments_.time, settings.options.frame);
+        const Image truth = truth_.display(camera, arguments_.times[view], settings.options.frame);
         return {pngOf(shown), pngOf(truth), pngOf(heatPicture(flipMap(truth, shown), 0.0, 1.0))};
     }
 
@@ -131,15 +131,15 @@ public:
         const Camera& camera = arguments_.views[view];
         // Approximated and exact pictures have their noise in common, so that few samples tell what differs.
         reference::ReferenceOptions few = truth_.options();
-        few.samples = std::max(few.samples / 12, 1);
+        few.samples = std::max(few.samples / 4, 1);
         few.photons /= 5;
         return measureBudget({.scene = stage_.scene,
                               .settings = settings,
                               .camera = camera,
-                              .time = arguments_.time,
+                              .time = arguments_.times[view],
                               .size = arguments_.size,
                               .reference = few,
-                              .truth = &truth_.picture(camera, arguments_.time)},
+                              .truth = &truth_.picture(camera, arguments_.times[view])},
                              session_, truth_.tracer(), nullptr);
     }
 

@@ -75,7 +75,7 @@ void run(const TuneCommand& command)
 
     const auto lab = makeTradeLab(stage, {.views = views,
                                            .size = command.size,
-                                           .time = command.time,
+                                           .times = std::vector<double>(views.size(), command.time),
                                            .frames = command.frames,
                                            .samples = command.samples,
                                            .references = {}},

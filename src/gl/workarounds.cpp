@@ -4,13 +4,13 @@
 
 namespace tarn::gl {
 
-bool avoidsAnisotropyWithSamples() { return capabilities().llvmpipe; }
+bool avoidsAnisotropy() { return capabilities().llvmpipe; }
 
 std::vector<Workaround> workarounds()
 {
-    return {{"llvmpipe-msaa-anisotropy",
-             "anisotropic filtering is off while frame.msaa is over 1: together they take tens of times as long",
-             avoidsAnisotropyWithSamples()}};
+    return {{"llvmpipe-anisotropy",
+             "anisotropic filtering is off: where textures repeat far away a picture would take minutes",
+             avoidsAnisotropy()}};
 }
 
 } // namespace tarn::gl

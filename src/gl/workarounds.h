@@ -14,8 +14,9 @@ struct Workaround {
 /// All that there are.
 std::vector<Workaround> workarounds();
 
-/// "llvmpipe-msaa-anisotropy": Mesa's software rasteriser (22.3 measured) takes tens of times as long for a
-/// multisampled draw with anisotropic filtering as for either alone.
-bool avoidsAnisotropyWithSamples();
+/// "llvmpipe-anisotropy": Mesa's software rasteriser (22.3 measured) walks every texel under a pixel of an anisotropic
+/// texture, on the smallest level too: a picture repeated hundreds of times under a pixel takes minutes. With several
+/// samples a pixel any picture takes tens of times as long.
+bool avoidsAnisotropy();
 
 } // namespace tarn::gl

@@ -54,7 +54,12 @@ WaterQuantities readQuantities(Renderer& renderer, const Camera& camera, double 
 {
     WaterQuantities q(size);
     q.eye = camera.eye;
-    const FrameInput frame{camera, time, size};
+    FrameInput frame{camera, time, size};
+    renderer.render(frame);
+    q.display = renderer.readDisplay();
+    q.linear = renderer.readLinear();
+    q.caustics = renderer.readCaustics();
+    frame.sameMoment = true;
     readView(renderer, frame, DebugView::positionU, [&](std::size_t pixel, const vec4& value) {
         q.isWater[pixel] = 1;
         q.surface[pixel] = vec3(value);
@@ -73,11 +78,6 @@ WaterQuantities readQuantities(Renderer& renderer, const Camera& camera, double 
              [&](std::size_t pixel, const vec4& value) { q.fresnel[pixel] = value.x; });
     readView(renderer, frame, DebugView::pathLength,
              [&](std::size_t pixel, const vec4& value) { q.waterPath[pixel] = value.x; });
-
-    renderer.render(frame);
-    q.display = renderer.readDisplay();
-    q.linear = renderer.readLinear();
-    q.caustics = renderer.readCaustics();
     q.footprint = footprintOf(renderer, renderer.options());
     return q;
 }

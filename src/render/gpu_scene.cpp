@@ -1,9 +1,11 @@
 #include "render/gpu_scene.h"
 
 #include "base/progress.h"
+#include "render/alpha_mips.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace tarn {
 
@@ -79,6 +81,19 @@ template <typename T> std::vector<T> spreadGrey(const std::vector<T>& grey)
     return rgb;
 }
 
+/// How a picture cuts surfaces out, where a material tests alpha by it.
+std::optional<CutOut> cutOutOf(const Scene& scene, int index, bool isColour)
+{
+    const Image& image = scene.images[static_cast<std::size_t>(index)];
+    if (image.isFloat()) return std::nullopt;
+    for (const Material& material : scene.materials) {
+        if (isColour && material.diffuseMap == index && image.channels == 4)
+            return CutOut{3, material.alphaCutoff, true};
+        if (!isColour && material.alphaMap == index) return CutOut{0, material.alphaCutoff, false};
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 void GpuScene::uploadTexture(int index, MapUse use, float anisotropy)
@@ -101,7 +116,15 @@ void GpuScene::uploadTexture(int index, MapUse use, float anisotropy)
         const auto rows = bottomUp(image.bytes, image.width, image.height, image.channels);
         texture.upload(std::span<const std::uint8_t>(image.channels == 1 ? spreadGrey(rows) : rows), channels);
     }
-    texture.generateMipmaps();
+    if (const std::optional<CutOut> cutOut = cutOutOf(scene_, index, use == MapUse::colour)) {
+        int level = 0;
+        for (const Image& small : cutOutMips(image, *cutOut)) {
+            const auto rows = bottomUp(small.bytes, small.width, small.height, small.channels);
+            texture.upload(std::span<const std::uint8_t>(small.channels == 1 ? spreadGrey(rows) : rows), channels, 0, ++level);
+        }
+    } else {
+        texture.generateMipmaps();
+    }
     textures_.emplace(std::pair{index, use}, std::move(texture));
 }
 

@@ -40,7 +40,7 @@ bool wantsRawValues(DebugView view) { return view != DebugView::final; }
 /// The anisotropy of the scene's textures: the option's, where the driver can bear it.
 float anisotropyFor(const FrameOptions& options)
 {
-    return options.msaa > 1 && gl::avoidsAnisotropyWithSamples() ? 1.0f : options.anisotropy;
+    return gl::avoidsAnisotropy() ? 1.0f : options.anisotropy;
 }
 
 /// Debug views that the water pass writes; the scene around them stays empty.
@@ -134,6 +134,7 @@ struct Renderer::State {
     void takeOptions(const Options& wanted, const WaterBody& body);
     void beginFrame(const FrameInput& input);
     void beginSunlight(const FrameInput& input);
+    void drawTargets();
     void drawSunlight();
     void drawCaustics();
     void drawRefraction();
@@ -208,10 +209,7 @@ const FrameStats& Renderer::render(const FrameInput& input)
     State& s = *state_;
     s.profiler.beginFrame();
     s.beginFrame(input);
-    if (s.stats.plan[PassId::sunlight].wanted) s.drawSunlight();
-    if (s.stats.plan[PassId::caustics].wanted) s.drawCaustics();
-    if (s.stats.plan[PassId::refraction].wanted) s.drawRefraction();
-    if (s.stats.plan[PassId::reflection].wanted) s.drawReflection();
+    if (!input.sameMoment) s.drawTargets();
     s.drawScene(input);
     if (s.stats.plan[PassId::water].wanted) s.drawWater(input);
     if (s.stats.plan[PassId::glow].wanted) s.drawGlow(input);
@@ -312,6 +310,15 @@ void Renderer::State::check(PassId pass, const gl::Target& target)
 {
     if (!checking) return;
     if (BadPixels found = checkTarget(passName(pass), target); found.any()) bad.push_back(std::move(found));
+}
+
+/// What the scene and the water look up.
+void Renderer::State::drawTargets()
+{
+    if (stats.plan[PassId::sunlight].wanted) drawSunlight();
+    if (stats.plan[PassId::caustics].wanted) drawCaustics();
+    if (stats.plan[PassId::refraction].wanted) drawRefraction();
+    if (stats.plan[PassId::reflection].wanted) drawReflection();
 }
 
 void Renderer::State::drawRefraction()

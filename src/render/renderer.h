@@ -34,6 +34,9 @@ struct FrameInput {
     double time = 0.0;     ///< seconds
     ivec2 size{640, 480};  ///< of the picture, pixels; both at least 1
     DebugView view = DebugView::final;
+    /// Scene, water body, camera, time, size and options are those of the last frame: what that drew for the water to
+    /// look up stays, and only the picture is drawn anew. For several debug views of one moment.
+    bool sameMoment = false;
 };
 
 /// What a frame did. Valid until the next one.

@@ -48,6 +48,7 @@ test_wrong_usage() {
     refuse 2 'refraction\.steps.*64' trade "$pool" --out a --sweep refraction.steps=1:65
     refuse 2 'method.*planar, iterative' trade "$pool" --out a --sweep refraction.method=planar,magic
     refuse 2 'grid.*sweep' trade "$pool" --out a --grid
+    refuse 2 'presets-only.*sweep' trade "$pool" --out a --presets-only --sweep refraction.steps=1:2
     refuse 2 'shard.*1/4' trade "$pool" --out a --shard 3/2
     refuse 2 'abvoe.*above' trade "$pool" --out a --views abvoe
     refuse 2 'max-error.*budget-ms' tune "$pool"
@@ -213,6 +214,26 @@ test_budget() {
     refuse 1 'checkered_bed.*no water' budget "$pool" --set water.enabled=false
     refuse 1 'no/such/folder' budget "$pool" --json no/such/folder/a.json
     only_in_out a.json
+}
+
+# A small trade of a scene with waves, sun and caustics: measured, told, and not measured twice.
+test_trade() {
+    local waves=$project/tests/image/scenes/waves.toml
+    call 0 trade "$waves" --out t --size 48x36 --samples 2 --frames 2 --times 0.5 --sweep water.surface_steps=0,1 \
+        --sweep refraction.steps=1,4
+    local name
+    for name in results.csv results.json report.html; do
+        [[ -s t/$name ]] || fail "there is no t/$name"
+    done
+    grep -q 'surface_steps=0' t/results.csv || fail "the table does not have the swept option"
+    figure() { sed -n "s/.*\"$1\": *\([0-9.e+-]*\).*/\1/p" t/results.json | head -1; }
+    [[ $(figure flip) =~ ^0\.[0-9]+$ ]] || fail "no mean FLIP between 0 and 1 was measured"
+    cp t/results.csv first.csv
+    call 0 trade "$waves" --out t --size 48x36 --samples 2 --frames 2 --times 0.5 --sweep water.surface_steps=0,1 \
+        --sweep refraction.steps=1,4
+    cmp -s first.csv t/results.csv || fail "a second run did not take up the first one's results"
+    refuse 1 'fresh' trade "$waves" --out t --size 40x30 --samples 2 --frames 2 --times 0.5
+    cmp -s first.csv t/results.csv || fail "a refused run changed the results"
 }
 
 test_compare() {

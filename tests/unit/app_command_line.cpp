@@ -208,7 +208,7 @@ TEST(CommandLine, Trade)
 {
     const auto d = parsed<TradeCommand>({"trade", "--out", "o"});
     EXPECT_EQ(d.size, ivec2(320, 240));
-    EXPECT_EQ(d.times, (std::vector<double>{0.0, 1.7}));
+    EXPECT_TRUE(d.times.empty());
     EXPECT_EQ(d.shards, 1);
     const auto c = parsed<TradeCommand>({"trade", "s.toml", "--out", "o", "--sweep", "refraction.steps=1:8", "--sweep",
                                          "caustics.filter=0:2", "--grid", "--views", "pier,bed", "--times", "0.5",

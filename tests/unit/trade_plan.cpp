@@ -95,13 +95,47 @@ TEST(TradePlan, AGridHasEveryCombination)
 TEST(TradePlan, TheDefaultIsLargeEnoughAndNotTooLarge)
 {
     const TradePlan plan = planTrade({{}, false, loadPresets()}, describerOf(Settings{}));
-    EXPECT_GE(plan.points.size(), 45u);
-    EXPECT_LE(plan.points.size(), 68u) << "with twelve steps of the walk at most 80";
+    EXPECT_GE(plan.points.size(), 40u);
+    EXPECT_LE(plan.points.size(), 56u) << "with eight steps of the walk at most 64, which is half an hour";
     EXPECT_EQ(plan.presets.size(), loadPresets().size());
     EXPECT_TRUE(plan.walk);
     for (std::size_t i = 0; i < plan.points.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_NE(plan.points[i].id, plan.points[j].id);
+}
+
+TEST(TradePlan, PresetsMayStandAlone)
+{
+    const std::vector<Preset> presets = loadPresets();
+    const TradePlan plan = planTrade({{}, false, presets, true}, describerOf(Settings{}));
+    EXPECT_EQ(plan.points.size(), presets.size() + 1);
+    EXPECT_TRUE(plan.sweeps.empty());
+    EXPECT_FALSE(plan.walk);
+    EXPECT_CONTAINS(messageOf<UsageError>([&] {
+                        planTrade({{"refraction.steps=1:2"}, false, presets, true}, describerOf(Settings{}));
+                    }),
+                    "--presets-only");
+}
+
+TEST(TradePlan, ViewsMayTakeTurnsAtTheTimes)
+{
+    TradeSetup setup = test::syntheticSetup({{"refraction.steps=1:2"}, false, {}});
+    const auto errorUnits = [&] {
+        std::vector<std::pair<std::size_t, std::size_t>> places;
+        for (const TradeUnit& unit : measuringUnits(setup, std::vector<TradePoint>{setup.plan.base()}))
+            if (unit.kind == TradeUnit::Kind::errors) places.emplace_back(unit.view, unit.time);
+        return places;
+    };
+    using Places = std::vector<std::pair<std::size_t, std::size_t>>;
+    EXPECT_EQ(errorUnits(), (Places{{0, 0}, {0, 1}, {1, 0}, {1, 1}}));
+    const TradeKey every = keyOf(setup);
+    setup.takesTurns = true;
+    EXPECT_EQ(errorUnits(), (Places{{0, 0}, {1, 1}}));
+    for (const TradeUnit& unit : measuringUnits(setup, setup.plan.points)) {
+        if (unit.kind != TradeUnit::Kind::prices) continue;
+        EXPECT_EQ(unit.view, 0u) << "every second view is timed";
+    }
+    EXPECT_NE(keyOf(setup), every) << "results of the two do not mix";
 }
 
 TEST(TradePlan, AnIdIsOfTheChangesOnly)

@@ -230,6 +230,21 @@ TEST(TradeResults, JsonHoldsEverything)
     EXPECT_EQ(json["budgets"][1]["remaining"], 0.015);
 }
 
+TEST(TradeRun, ViewsThatTakeTurnsHavePricesAllTheSame)
+{
+    const test::TempFolder folder;
+    TradeSetup setup = syntheticSetup(smallPlan);
+    setup.takesTurns = true;
+    SyntheticLab lab;
+    const TradeResults results = runIn(folder.path(), setup, lab);
+    EXPECT_TRUE(results.complete());
+    for (const PointResult& point : results.points) {
+        EXPECT_TRUE(std::isnan(point.views[1].price.median));
+        EXPECT_DOUBLE_EQ(point.mean.price.median, point.views[0].price.median);
+        EXPECT_FALSE(std::isnan(point.mean.errors.flip));
+    }
+}
+
 TEST(TradeReport, TextCannotLeaveItsPlace)
 {
     const std::string text = scriptJson({{"name", "</script><script>alert(1)</script>"}});

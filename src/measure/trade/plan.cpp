@@ -84,37 +84,36 @@ std::size_t addPoint(std::vector<TradePoint>& points, TradePoint point)
 
 std::vector<std::string> defaultSweeps()
 {
-    return {"refraction.steps=1,2,3,6,12,24",
-            "refraction.target_size=128:2048:*2",
+    return {"refraction.steps=1,2,4,8",
+            "refraction.target_size=128:1024:*2",
             "refraction.camera=main,snell,flat",
             "refraction.method=planar,iterative",
-            "refraction.fov_extension_near=1,1.25,1.5,2",
-            "refraction.fov_extension_far=1,1.2,1.5",
             "reflection.target_size=128:1024:*2",
             "reflection.method=distance,iterative",
-            "reflection.steps=1,2,4,8",
             "reflection.facets=one,three,five",
             "water.fresnel=schlick,exact",
-            "caustics.method=cpu,points,fetch,mesh",
+            "water.grid=uniform,focused",
+            "water.grid_size=17,49,97",
+            "water.surface_steps=0,1,2",
+            "water.normals=vertex,pixel",
+            "water.filter_waves=false,true",
+            "caustics.method=points,fetch,mesh",
             "caustics.texture_size=128:1024:*2",
             "caustics.photons=128:1024:*2",
             "caustics.filter=0:2",
             "sunlight.map_size=512:4096:*2",
-            "sunlight.taps=1,2,3,5",
-            "water.grid=uniform,focused",
-            "water.grid_size=17,33,49,97,193",
-            "water.surface_steps=0,1,2",
-            "water.normals=vertex,pixel",
-            "water.filter_waves=false,true",
+            "sunlight.taps=1,2,3",
             "frame.msaa=1,2,4,8",
-            "frame.supersampling=1,2,3,4"};
+            "frame.supersampling=1,2"};
 }
 
 TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe)
 {
     const bool isDefault = request.sweeps.empty();
-    const std::vector<Sweep> sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
+    std::vector<Sweep> sweeps;
+    if (!request.presetsOnly) sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
     if (request.grid && isDefault) throw UsageError("--grid needs at least one --sweep KEY=VALUES");
+    if (request.presetsOnly && !isDefault) throw UsageError("--presets-only sweeps nothing; leave --sweep away");
     TradePlan plan;
     plan.points.push_back(makePoint({}, "base", "base", describe));
     if (request.grid) {
@@ -125,7 +124,7 @@ TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe
     for (const Preset& preset : request.presets)
         plan.presets.emplace_back(
             preset.name, addPoint(plan.points, makePoint(preset.changes, preset.name, "preset", describe)));
-    plan.walk = isDefault;
+    plan.walk = isDefault && !request.presetsOnly;
     return plan;
 }
 

@@ -44,6 +44,7 @@ struct PlanRequest {
     std::vector<std::string> sweeps; ///< --sweep, as written; empty: the default plan, with presets and walk
     bool grid = false;               ///< every combination instead of one option at a time
     std::vector<Preset> presets;
+    bool presetsOnly = false;        ///< no sweeps: the base and the presets
 };
 
 /// Throws UsageError for a sweep that cannot be, and when a grid has more than 10000 points.

@@ -16,7 +16,7 @@ namespace tarn {
 
 namespace {
 
-constexpr std::size_t walkLength = 12;
+constexpr std::size_t walkLength = 8;
 
 /// Prices of one view by point id, from all its batches.
 struct ViewPrices {
@@ -75,15 +75,16 @@ std::vector<Price::Pass> meanPasses(std::span<const Measured> views)
     return passes;
 }
 
-Measured meanOf(std::span<const Measured> views)
+/// @param timed those of the views that have prices
+Measured meanOf(std::span<const Measured> views, std::span<const Measured> timed)
 {
     std::vector<ErrorFigures> figures;
     for (const Measured& view : views)
         figures.push_back(view.errors);
     Measured result;
     result.errors = meanFigures(figures);
-    result.price = {mean(views, &Price::median), mean(views, &Price::p95), mean(views, &Price::cpu),
-                    mean(views, &Price::ratio), meanPasses(views)};
+    result.price = {mean(timed, &Price::median), mean(timed, &Price::p95), mean(timed, &Price::cpu),
+                    mean(timed, &Price::ratio), meanPasses(timed)};
     return result;
 }
 
@@ -137,7 +138,10 @@ private:
             if (price != prices_[view].byId.end())
                 result.views[view].price = related(price->second, prices_[view]);
         }
-        result.mean = meanOf(result.views);
+        std::vector<Measured> timed;
+        for (std::size_t view = 0; view < setup_.views.size(); ++view)
+            if (setup_.isTimed(view)) timed.push_back(result.views[view]);
+        result.mean = meanOf(result.views, timed);
         return result;
     }
 

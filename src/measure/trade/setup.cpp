@@ -3,6 +3,7 @@
 #include "base/error.h"
 
 #include <cstdint>
+#include <numeric>
 
 namespace tarn {
 
@@ -10,12 +11,20 @@ TradeKey keyOf(const TradeSetup& setup)
 {
     TradeKey key = setup.about;
     key["views"] = fmt::format("{}", fmt::join(setup.views, ", "));
-    key["times"] = fmt::format("{}", fmt::join(setup.times, ", "));
+    key["times"] = fmt::format("{}{}", fmt::join(setup.times, ", "), setup.takesTurns ? ", in turns" : "");
     std::string plan = setup.plan.walk ? "with walk" : "without walk";
     for (const TradePoint& point : setup.plan.points)
         plan += fmt::format(" {} {}", point.id, point.origin);
     key["plan"] = plan;
     return key;
+}
+
+std::vector<std::size_t> TradeSetup::timesOf(std::size_t view) const
+{
+    if (takesTurns) return {view % times.size()};
+    std::vector<std::size_t> all(times.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
 }
 
 namespace {
@@ -94,12 +103,14 @@ std::vector<TradeUnit> measuringUnits(const TradeSetup& setup, std::span<const T
     std::vector<TradeUnit> units;
     // Points change fastest: a reference is made once for a view and a time.
     for (std::size_t view = 0; view < setup.views.size(); ++view)
-        for (std::size_t time = 0; time < setup.times.size(); ++time)
+        for (const std::size_t time : setup.timesOf(view))
             for (const TradePoint& point : points)
                 units.push_back({TradeUnit::Kind::errors, {point}, view, time});
-    for (std::size_t view = 0; view < setup.views.size(); ++view)
+    for (std::size_t view = 0; view < setup.views.size(); ++view) {
+        if (!setup.isTimed(view)) continue;
         for (std::vector<TradePoint>& batch : batchesOf(setup.plan.base(), points))
             units.push_back({TradeUnit::Kind::prices, std::move(batch), view, 0});
+    }
     return units;
 }
 

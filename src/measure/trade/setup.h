@@ -16,6 +16,11 @@ struct TradeSetup {
     DescribeSettings describe;
     std::vector<std::string> views; ///< names of cameras
     std::vector<double> times;      ///< s
+    bool takesTurns = false;        ///< views take turns at the times, and every second one is timed
+
+    bool isTimed(std::size_t view) const { return !takesTurns || view % 2 == 0; }
+
+    std::vector<std::size_t> timesOf(std::size_t view) const;
     TradeKey about;                 ///< scene, size, version, base: what the program knows of the run
 };
 

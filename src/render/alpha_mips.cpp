@@ -1,0 +1,153 @@
+#include "render/alpha_mips.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace tarn {
+
+namespace {
+
+std::uint8_t toByte(double value) { return static_cast<std::uint8_t>(std::clamp(255.0 * value + 0.5, 0.0, 255.0)); }
+
+double srgbEncode(double linear)
+{
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+/// A level in linear values: colours as they are, alpha not yet scaled.
+struct Level {
+    int width = 0, height = 0, channels = 0;
+    std::vector<float> values;
+
+    std::size_t first(int x, int y) const
+    {
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(channels);
+    }
+};
+
+Level decoded(const Image& image, const CutOut& cutOut)
+{
+    std::array<float, 256> colour{};
+    for (std::size_t i = 0; i < colour.size(); ++i)
+        colour[i] = cutOut.isSrgb ? srgbDecode(static_cast<float>(i) / 255.0f) : static_cast<float>(i) / 255.0f;
+    Level level{image.width, image.height, image.channels, std::vector<float>(image.bytes.size())};
+    for (std::size_t i = 0; i < image.bytes.size(); ++i) {
+        const bool isAlpha = static_cast<int>(i % static_cast<std::size_t>(image.channels)) == cutOut.channel;
+        level.values[i] = isAlpha ? static_cast<float>(image.bytes[i]) / 255.0f : colour[image.bytes[i]];
+    }
+    return level;
+}
+
+/// The part of each source row or column that a texel of the next level covers.
+struct Part {
+    int first = 0;
+    std::vector<double> weights;
+};
+
+Part partOf(int index, int size, int sourceSize)
+{
+    const double scale = static_cast<double>(sourceSize) / size;
+    const double from = index * scale, to = (index + 1) * scale;
+    Part part{static_cast<int>(from), {}};
+    for (int i = part.first; i < sourceSize && i < to - 1e-9; ++i)
+        part.weights.push_back(std::min(to, i + 1.0) - std::max(from, static_cast<double>(i)));
+    return part;
+}
+
+Level halved(const Level& source, int alphaChannel)
+{
+    Level level{std::max(source.width / 2, 1), std::max(source.height / 2, 1), source.channels, {}};
+    const auto channels = static_cast<std::size_t>(source.channels);
+    level.values.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) * channels);
+    std::vector<double> plain(channels), weighted(channels);
+    for (int y = 0; y < level.height; ++y) {
+        const Part rows = partOf(y, level.height, source.height);
+        for (int x = 0; x < level.width; ++x) {
+            const Part columns = partOf(x, level.width, source.width);
+            std::fill(plain.begin(), plain.end(), 0.0);
+            std::fill(weighted.begin(), weighted.end(), 0.0);
+            double total = 0.0, totalAlpha = 0.0;
+            for (std::size_t j = 0; j < rows.weights.size(); ++j) {
+                for (std::size_t i = 0; i < columns.weights.size(); ++i) {
+                    const float* texel = &source.values[source.first(columns.first + static_cast<int>(i),
+                                                                             rows.first + static_cast<int>(j))];
+                    const double weight = rows.weights[j] * columns.weights[i];
+                    const double alpha = weight * static_cast<double>(texel[alphaChannel]);
+                    total += weight;
+                    totalAlpha += alpha;
+                    for (std::size_t c = 0; c < channels; ++c) {
+                        plain[c] += weight * static_cast<double>(texel[c]);
+                        weighted[c] += alpha * static_cast<double>(texel[c]);
+                    }
+                }
+            }
+            float* texel = &level.values[level.first(x, y)];
+            for (std::size_t c = 0; c < channels; ++c) {
+                const bool isAlpha = static_cast<int>(c) == alphaChannel;
+                const double mean = isAlpha || totalAlpha <= 1e-9 ? plain[c] / total : weighted[c] / totalAlpha;
+                texel[c] = static_cast<float>(mean);
+            }
+        }
+    }
+    return level;
+}
+
+Image encoded(const Level& level, const CutOut& cutOut, double alphaScale, const std::string& name)
+{
+    Image image{name, level.width, level.height, level.channels, std::vector<std::uint8_t>(level.values.size()), {}};
+    for (std::size_t i = 0; i < level.values.size(); ++i) {
+        const bool isAlpha = static_cast<int>(i % static_cast<std::size_t>(level.channels)) == cutOut.channel;
+        const double value = static_cast<double>(level.values[i]);
+        image.bytes[i] = toByte(isAlpha ? alphaScale * value : cutOut.isSrgb ? srgbEncode(value) : value);
+    }
+    return image;
+}
+
+/// The factor on a level's alpha that brings its coverage next to what is wanted: the alpha of the texel that is the last
+/// to be there is put on the cutoff.
+double scaleFor(const Level& level, const CutOut& cutOut, double coverage)
+{
+    std::vector<float> alphas;
+    for (std::size_t i = static_cast<std::size_t>(cutOut.channel); i < level.values.size();
+         i += static_cast<std::size_t>(level.channels))
+        alphas.push_back(level.values[i]);
+    const auto wanted = static_cast<std::size_t>(std::lround(coverage * static_cast<double>(alphas.size())));
+    if (wanted == 0) return 1.0; // too little to keep a texel for
+    std::nth_element(alphas.begin(), alphas.begin() + static_cast<std::ptrdiff_t>(wanted - 1), alphas.end(),
+                     std::greater<>());
+    const double last = static_cast<double>(alphas[wanted - 1]);
+    // Half a byte of room, so that rounding does not cut the texel away.
+    return last > 1e-6 ? (static_cast<double>(cutOut.cutoff) + 0.5 / 255.0) / last : 1.0;
+}
+
+} // namespace
+
+double coverageOf(const Image& image, const CutOut& cutOut)
+{
+    std::size_t there = 0, count = 0;
+    for (std::size_t i = static_cast<std::size_t>(cutOut.channel); i < image.bytes.size();
+         i += static_cast<std::size_t>(image.channels), ++count)
+        if (static_cast<float>(image.bytes[i]) / 255.0f >= cutOut.cutoff) ++there;
+    return count > 0 ? static_cast<double>(there) / static_cast<double>(count) : 0.0;
+}
+
+std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut)
+{
+    if (image.isFloat() || cutOut.channel < 0 || cutOut.channel >= image.channels)
+        throw Error("{}: no 8-bit alpha to cut out by", image.name);
+    const double coverage = coverageOf(image, cutOut);
+    std::vector<Image> levels;
+    Level level = decoded(image, cutOut);
+    while (level.width > 1 || level.height > 1) {
+        level = halved(level, cutOut.channel);
+        levels.push_back(encoded(level, cutOut, scaleFor(level, cutOut, coverage), image.name));
+    }
+    return levels;
+}
+
+} // namespace tarn

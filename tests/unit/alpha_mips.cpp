@@ -1,0 +1,104 @@
+// Mip levels of cut-out pictures keep their coverage and their colours.
+#include "render/alpha_mips.h"
+
+#include "base/error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace tarn {
+namespace {
+
+Image cutOutPicture(int width, int height, const std::function<double(double, double)>& alphaAt)
+{
+    Image image{"leaf", width, height, 4, std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 4)), {}};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const auto i = static_cast<std::size_t>((y * width + x) * 4);
+            const double alpha = alphaAt((x + 0.5) / width, (y + 0.5) / height);
+            const bool isThere = alpha >= 0.5;
+            // Green leaf; the ground it is cut from is magenta.
+            image.bytes[i] = image.bytes[i + 2] = isThere ? 20 : 255;
+            image.bytes[i + 1] = isThere ? 180 : 0;
+            image.bytes[i + 3] = static_cast<std::uint8_t>(std::lround(255.0 * alpha));
+        }
+    }
+    return image;
+}
+
+double thinStripes(double u, double) { return std::fmod(16.0 * u, 1.0) < 0.1875 ? 1.0 : 0.0; }
+
+double blobs(double u, double v)
+{
+    const double wave = std::sin(37.0 * u + 5.0 * std::sin(11.0 * v)) * std::cos(29.0 * v + 3.0 * std::sin(17.0 * u));
+    return std::clamp(0.5 + 2.0 * (wave - 0.3), 0.0, 1.0);
+}
+
+TEST(AlphaMips, EachLevelCoversAsMuchAsThePicture)
+{
+    for (const auto& [width, height] : {std::pair{256, 256}, {100, 60}}) {
+        const Image image = cutOutPicture(width, height, blobs);
+        const CutOut cutOut;
+        const double wanted = coverageOf(image, cutOut);
+        ASSERT_GT(wanted, 0.1);
+        ASSERT_LT(wanted, 0.5);
+        for (const Image& level : cutOutMips(image, cutOut)) {
+            const double texel = 1.0 / (level.width * level.height);
+            // Texels of one value come and go together.
+            EXPECT_NEAR(coverageOf(level, cutOut), wanted, 0.01 + texel) << level.width << "x" << level.height;
+        }
+    }
+}
+
+// The mean alone loses thin stripes: this is what the scaling is for.
+TEST(AlphaMips, PlainMeansWouldLoseThinThings)
+{
+    const Image image = cutOutPicture(256, 256, thinStripes);
+    CutOut never;
+    never.cutoff = 0.0f; // everything is there: no scaling
+    const Image plain = cutOutMips(image, never)[3];
+    EXPECT_EQ(coverageOf(plain, CutOut{}), 0.0);
+    EXPECT_GT(coverageOf(cutOutMips(image, CutOut{})[3], CutOut{}), 0.1);
+}
+
+TEST(AlphaMips, WhatIsCutAwayDoesNotColourTheRest)
+{
+    for (const Image& level : cutOutMips(cutOutPicture(128, 128, thinStripes), CutOut{})) {
+        for (std::size_t i = 0; i < level.bytes.size(); i += 4) {
+            if (level.bytes[i + 3] < 128) continue;
+            EXPECT_NEAR(level.bytes[i], 20, 2);
+            EXPECT_NEAR(level.bytes[i + 1], 180, 2);
+        }
+    }
+}
+
+TEST(AlphaMips, LevelsHalveDownToOneTexel)
+{
+    const std::vector<Image> levels = cutOutMips(cutOutPicture(100, 60, blobs), CutOut{});
+    ASSERT_EQ(levels.size(), 6u);
+    EXPECT_EQ(levels[0].width, 50);
+    EXPECT_EQ(levels[1].height, 15);
+    EXPECT_EQ(levels[2].height, 7);
+    EXPECT_EQ(levels.back().width, 1);
+    EXPECT_EQ(levels.back().height, 1);
+    EXPECT_TRUE(cutOutMips(cutOutPicture(1, 1, blobs), CutOut{}).empty());
+}
+
+TEST(AlphaMips, OpaqueAndEmptyPicturesStayWhatTheyAre)
+{
+    for (const double alpha : {0.0, 1.0})
+        for (const Image& level : cutOutMips(cutOutPicture(64, 32, [=](double, double) { return alpha; }), CutOut{}))
+            EXPECT_EQ(coverageOf(level, CutOut{}), alpha);
+}
+
+TEST(AlphaMips, APictureWithoutAlphaIsRefused)
+{
+    Image image{"rock.jpg", 2, 2, 3, std::vector<std::uint8_t>(12), {}};
+    EXPECT_THROW(cutOutMips(image, CutOut{}), Error);
+}
+
+} // namespace
+} // namespace tarn
