@@ -87,9 +87,10 @@ std::optional<CutOut> cutOutOf(const Scene& scene, int index, bool isColour)
     const Image& image = scene.images[static_cast<std::size_t>(index)];
     if (image.isFloat()) return std::nullopt;
     for (const Material& material : scene.materials) {
-        if (isColour && material.diffuseMap == index && image.channels == 4)
-            return CutOut{3, material.alphaCutoff, true};
-        if (!isColour && material.alphaMap == index) return CutOut{0, material.alphaCutoff, false};
+        if (!material.alphaTested || material.alpha <= 0.0f) continue;
+        const float cutoff = std::min(material.alphaCutoff / material.alpha, 1.0f); // of the map alone
+        if (isColour && material.diffuseMap == index && image.channels == 4) return CutOut{3, cutoff, true};
+        if (!isColour && material.alphaMap == index) return CutOut{0, cutoff, false};
     }
     return std::nullopt;
 }
