@@ -1,6 +1,7 @@
 #include "render/alpha_mips.h"
 
 #include "base/error.h"
+#include "optics/optics.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +13,6 @@ namespace tarn {
 namespace {
 
 std::uint8_t toByte(double value) { return static_cast<std::uint8_t>(std::clamp(255.0 * value + 0.5, 0.0, 255.0)); }
-
-double srgbEncode(double linear)
-{
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
 
 /// A level in linear values: colours as they are, alpha not yet scaled.
 struct Level {
@@ -103,7 +99,7 @@ Image encoded(const Level& level, const CutOut& cutOut, double alphaScale, const
     for (std::size_t i = 0; i < level.values.size(); ++i) {
         const bool isAlpha = static_cast<int>(i % static_cast<std::size_t>(level.channels)) == cutOut.channel;
         const double value = static_cast<double>(level.values[i]);
-        image.bytes[i] = toByte(isAlpha ? alphaScale * value : cutOut.isSrgb ? srgbEncode(value) : value);
+        image.bytes[i] = toByte(isAlpha ? alphaScale * value : cutOut.isSrgb ? optics64::srgbFromLinear(value) : value);
     }
     return image;
 }
