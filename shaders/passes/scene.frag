@@ -53,7 +53,12 @@ uniform float alphaCutoff;
 uniform sampler2D waterline; // 1 where a pixel is under water, waterline.frag
 #endif
 
-out vec4 fragment;
+layout(location = 0) out vec4 fragment;
+#ifdef FLAT_WATER
+// The point that is shown. Within a triangle it is not quite where a flat surface would show it, since only corners are
+// moved there; water.frag must know which point it got. 1 tells it from nothing.
+layout(location = 1) out vec4 shown;
+#endif
 
 vec3 shadingNormal()
 {
@@ -105,8 +110,8 @@ vec3 sunAbove()
 {
 #ifdef SHADOWS
     vec2 slant = sunSlant(sunDirection);
-    return sunIrradiance * sunVisibility(afloatDepth, sunPlane(positionW, waterLevel, slant), positionW.y,
-                                         sunPlaneGradient(cross(acrossW, alongW), slant), sunHeights.z);
+    return sunIrradiance * sunVisibilityInAir(sunPlane(positionW, waterLevel, slant), positionW.y,
+                                              sunPlaneGradient(cross(acrossW, alongW), slant));
 #else
     return sunIrradiance;
 #endif
@@ -130,8 +135,8 @@ vec3 sunUnderwater(float depth)
 #endif
 #ifdef SHADOWS
     vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), slant);
-    float visible = sunVisibility(submergedDepth, plane, positionW.y, gradient, sunHeights.z);
-    if (gathered < 1.0) sun *= sunVisibility(afloatDepth, plane, positionW.y, gradient, sunHeights.z);
+    float visible = sunVisibility(submergedDepth, sunRect, plane, positionW.y, gradient, sunBiases.x);
+    if (gathered < 1.0) sun *= sunVisibility(afloatDepth, sunRect, plane, positionW.y, gradient, sunBiases.x);
 #endif
 #ifdef CAUSTICS
     // The texture holds light through a level area relative to the same above the water.
@@ -220,4 +225,7 @@ void main()
     radiance = radianceThroughWater(radiance, deepRadiance, a);
 #endif
     fragment = vec4(radiance, coverage);
+#ifdef FLAT_WATER
+    shown = vec4(positionW, 1.0);
+#endif
 }

@@ -1,23 +1,24 @@
 // Lookups in the sun's depth maps. Needs blocks.glsl and sunlight.glsl; SHADOW_TAPS: comparisons along an edge.
 
-uniform sampler2D afloatDepth;    // along the sun, of what stands over the level
+uniform sampler2D afloatDepth;    // along the sun, of what stands over the level: the first cascade
 uniform sampler2D submergedDepth; // along the refracted sun, of what lies under it
 
-vec2 sunMapUv(vec2 plane) { return (plane - sunRect.xy) / sunRect.zw * 0.5 + 0.5; }
+vec2 sunMapUv(vec4 rect, vec2 plane) { return (plane - rect.xy) / rect.zw * 0.5 + 0.5; }
 
 float heightFromDepth(float depth01) { return mix(sunHeights.y, sunHeights.x, depth01); }
+
+bool isInside(vec4 rect, vec2 plane) { return all(lessThanEqual(abs(plane - rect.xy), rect.zw)); }
 
 // The share of the sun's light that passes a map on its way to a point at height y: percentage-closer filtering
 // (Reeves et al. 1987), a box of SHADOW_TAPS - 1 texels with linear edges. Each comparison is made with the height
 // that the receiving plane has there, so that its own slope casts no shadow on it.
-// plane: sunPlane of the point; gradient: sunPlaneGradient of its surface.
-float sunVisibility(sampler2D map, vec2 plane, float y, vec2 gradient, float bias)
+// rect: what the map covers; plane: sunPlane of the point; gradient: sunPlaneGradient of its surface.
+float sunVisibility(sampler2D map, vec4 rect, vec2 plane, float y, vec2 gradient, float bias)
 {
-    vec2 uvMap = sunMapUv(plane);
-    if (any(lessThan(uvMap, vec2(0.0))) || any(greaterThan(uvMap, vec2(1.0)))) return 1.0; // nothing is known there
+    if (!isInside(rect, plane)) return 1.0; // nothing is known there
     ivec2 size = textureSize(map, 0);
-    vec2 metres = 2.0 * sunRect.zw / vec2(size); // of a texel
-    vec2 position = uvMap * vec2(size);
+    vec2 metres = 2.0 * rect.zw / vec2(size); // of a texel
+    vec2 position = sunMapUv(rect, plane) * vec2(size);
     vec2 first = position - 0.5 * float(SHADOW_TAPS - 1);
     ivec2 corner = ivec2(floor(first));
     vec2 part = first - vec2(corner);
@@ -37,4 +38,21 @@ float sunVisibility(sampler2D map, vec2 plane, float y, vec2 gradient, float bia
         }
     }
     return sum / float(SHADOW_TAPS > 1 ? (SHADOW_TAPS - 1) * (SHADOW_TAPS - 1) : 1);
+}
+
+#ifdef DISTANT_SHADOWS
+uniform sampler2D distantDepth0, distantDepth1; // the cascades beyond the first
+#endif
+
+// Of a point in the air: the finest map that holds it knows (cascades, Engel 2006).
+float sunVisibilityInAir(vec2 plane, float y, vec2 gradient)
+{
+#ifdef DISTANT_SHADOWS
+    if (!isInside(sunRect, plane)) {
+        if (isInside(sunRectsBeyond[0], plane))
+            return sunVisibility(distantDepth0, sunRectsBeyond[0], plane, y, gradient, sunBiases.y);
+        return sunVisibility(distantDepth1, sunRectsBeyond[1], plane, y, gradient, sunBiases.z);
+    }
+#endif
+    return sunVisibility(afloatDepth, sunRect, plane, y, gradient, sunBiases.x);
 }

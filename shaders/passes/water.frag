@@ -66,21 +66,38 @@ float refractionZ(vec3 positionR)
 }
 
 #ifdef FLAT_CAMERA
-// The target shows what a flat surface would: a point is looked up where it would seem to be, and a texel's point is
-// the one that would seem to be there.
+uniform sampler2D refractionShown; // the point that a texel shows, world, weighted with how much of the texel shows any
+
+// The target shows what a flat surface would: a point is looked up where it would seem to be.
 vec2 flatTexel(vec3 pointW)
 {
     vec3 seen = flatApparent(eye, pointW, waterLevel, ior);
     return refractionTexel((refractionViewFromWorld * vec4(seen, 1.0)).xyz);
 }
 
-vec3 seenFlat(vec3 pointW)
+// What the target shows at a place, and by how much that is beside what a flat surface would show there: only the
+// corners of triangles are moved to where they would seem to be, so that the picture within them is a little off.
+struct FlatLook {
+    vec3 point;  // world; where the target shows nothing, one behind all that there is
+    vec3 beside; // m
+};
+
+FlatLook lookFlat(vec2 texel)
 {
-    vec2 texel = flatTexel(pointW);
     float z = viewZFromDepth(texture(refractionDepth, texel).r, refractionNearFar.x, refractionNearFar.y);
     vec2 tangent = (2.0 * texel - 1.0) / vec2(refractionClipFromView[0][0], refractionClipFromView[1][1]);
     vec3 seen = (worldFromRefractionView * vec4(vec3(-tangent, 1.0) * z, 1.0)).xyz;
-    return flatTrue(eye, seen, waterLevel, ior);
+    FlatLook look = FlatLook(flatTrue(eye, seen, waterLevel, ior), vec3(0.0));
+    vec4 shown = texture(refractionShown, texel);
+    if (shown.w > 1.0e-3) {
+        vec3 point = shown.xyz / shown.w;
+        vec3 beside = point - look.point;
+        // More than any triangle bends is the mean of two things at the edge of one.
+        const float farthest = 0.5;
+        if (dot(beside, beside) < farthest * farthest) look.beside = beside;
+        look.point = point;
+    }
+    return look;
 }
 #endif
 
@@ -90,10 +107,10 @@ vec3 seenFlat(vec3 pointW)
 vec4 shownFor(vec3 hitW)
 {
 #ifdef FLAT_CAMERA
-    vec2 place = flatTexel(hitW);
+    vec2 place = flatTexel(hitW - lookFlat(flatTexel(hitW)).beside);
     bool holds = all(greaterThanEqual(place, vec2(0.0))) && all(lessThanEqual(place, vec2(1.0))) &&
-                 texture(refractionDepth, place).r < 1.0;
-    return vec4(seenFlat(hitW), holds ? 1.0 : 0.5);
+                 texture(refractionShown, place).w > 1.0e-3;
+    return vec4(lookFlat(place).point, holds ? 1.0 : 0.5);
 #endif
     vec3 w = (refractionViewFromWorld * vec4(hitW, 1.0)).xyz;
     vec2 texel = refractionTexel(w);
@@ -111,13 +128,17 @@ Transmitted lookupBed(vec3 refracted)
 {
     vec3 u = surfaceW.xzy;
     vec3 r = refracted.xzy;
-    vec3 seen = seenFlat(surfaceW).xzy;
+    FlatLook look = lookFlat(flatTexel(surfaceW));
+    vec3 seen = look.point.xzy;
     vec3 hit = u;
     if (seen.z < u.z) { // else the bed stands out of the wave here
 #ifdef ITERATIVE
         IntersectionState s = intersectionBegin(u, r, seen);
         // The picture is nearly that of the ray: the first approximation is worth a look from the start.
-        for (int i = 1; i < refractionSteps; ++i) s = intersectionStepSeen(s, seenFlat(s.W.xzy).xzy);
+        for (int i = 1; i < refractionSteps; ++i) {
+            look = lookFlat(flatTexel(s.W.xzy - look.beside));
+            s = intersectionStepSeen(s, look.point.xzy);
+        }
         hit = refractionSteps > 1 ? s.best : s.W;
         seen = refractionSteps > 1 ? s.bestA : seen;
 #else
@@ -127,7 +148,7 @@ Transmitted lookupBed(vec3 refracted)
     Transmitted t;
     t.hitW = hit.xzy;
     t.path = distance(seen, u);
-    vec3 bed = texture(refractionColour, flatTexel(t.hitW)).rgb;
+    vec3 bed = texture(refractionColour, flatTexel(t.hitW - look.beside)).rgb;
     t.radiance = radianceThroughWater(bed, deepRadiance, beerLambert(absorption, t.path)); // eq. 5
     return t;
 }
@@ -159,6 +180,16 @@ Transmitted lookupBed(vec3 refracted)
 #endif
 
 #ifdef UNDERWATER
+#if defined(REFRACTION) && !defined(PAPER)
+// What the target's eye, which is at the level, sees at a point's pixel. Half of the surface lies behind that eye; what
+// it does not see is its target's border.
+vec3 seenInAir(vec3 w)
+{
+    w.z = min(w.z, -1.0e-3);
+    return seenThrough(w, refractionZ(w));
+}
+#endif
+
 // Radiance in the air along a ray that leaves the water, the point W that it is taken from, and the target's share in
 // it; the rest is sky.
 vec3 lookupAir(vec3 refracted, out vec3 hit, out float share)
@@ -168,15 +199,19 @@ vec3 lookupAir(vec3 refracted, out vec3 hit, out float share)
     vec3 sky = texture(skyMap, refracted).rgb;
 #ifdef REFRACTION
     vec3 u = (refractionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
-    u.z = min(u.z, -1.0e-3);
 #ifdef PAPER
     vec3 w = (refractionViewFromWorld * vec4(hit, 1.0)).xyz;
     float known = step(w.z, 0.0);
 #else
     // Section 7.1 again, now for what stands over the water.
     vec3 r = normalize(mat3(refractionViewFromWorld) * refracted);
-    IntersectionState s = intersectionBegin(u, r, seenThrough(u, refractionZ(u)));
-    for (int i = 1; i < refractionSteps; ++i) s = intersectionStep(s, refractionZ(s.W));
+    // What is far is seen in nearly the same direction from the target's eye as from U: the first look goes along the
+    // ray itself, unless something near stands where the point of eq. 13 is looked for.
+    const float isNear = 3.0;
+    vec3 first = seenInAir(u + refractionDistance * r);
+    if (distance(first, u) > isNear * refractionDistance) first = seenInAir(r);
+    IntersectionState s = intersectionBegin(u, r, first);
+    for (int i = 1; i < refractionSteps; ++i) s = intersectionStepSeen(s, seenInAir(s.W));
     vec3 w = s.best;
     hit = (worldFromRefractionView * vec4(w, 1.0)).xyz;
     // The far plane holds no point, and one that is far off the ray is not what the ray meets: only the sky is left.
@@ -209,9 +244,37 @@ vec2 reflectionTexel(vec3 reflected)
     vec3 u = (reflectionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
     u.z = min(u.z, -1.0e-3);
     vec3 r = normalize(mat3(reflectionViewFromWorld) * reflected);
-    IntersectionState s = intersectionBegin(u, r, seenThrough(u, reflectionZ(u)));
-    for (int i = 1; i < reflectionSteps; ++i) s = intersectionStep(s, reflectionZ(s.W));
-    return reflectionTexelAt(s.best); // the sky is a place like any other, on the far plane
+    vec3 up = mat3(reflectionViewFromWorld) * vec3(0.0, 1.0, 0.0);
+    // The least |A - W| would be that of a tree in front of the sky, which is a place like any other, but on the far
+    // plane: what counts here is the angle at U between A and the ray. What is seen to stand higher than the ray goes
+    // stands on the ground, which that camera, below the level, may see the back of and so not at all: no sky then.
+    vec3 w = u;
+    vec3 seen = seenThrough(u, reflectionZ(u));
+    IntersectionState s = intersectionBegin(u, r, seen);
+    vec3 best = u, bestThing = u;
+    float least = 4.0, leastThing = 4.0;
+    bool isBlocked = false;
+    for (int i = 0; i < reflectionSteps; ++i) {
+        if (i > 0) {
+            w = s.W;
+            seen = seenThrough(w, reflectionZ(w));
+            s = intersectionStepSeen(s, seen);
+        }
+        vec3 way = normalize(seen - u);
+        float miss = 1.0 - dot(way, r);
+        if (miss < least) {
+            least = miss;
+            best = w;
+        }
+        if (-seen.z > 0.99 * reflectionNearFar.y) continue; // sky
+        if (miss < leastThing) {
+            leastThing = miss;
+            bestThing = w;
+        }
+        if (dot(way, up) > dot(r, up)) isBlocked = true;
+    }
+    if (isBlocked) best = bestThing;
+    return reflectionTexelAt(best);
 }
 #else
 vec2 reflectionTexel(vec3 reflected)

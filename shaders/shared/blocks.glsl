@@ -76,8 +76,10 @@ UNIFORM_BLOCK(ViewBlock) {
 
 // The maps that the sun's light is looked up in (shared/sunlight.glsl): rectangles on the plane of the water's level.
 UNIFORM_BLOCK(SunBlock) {
-    vec4 sunRect;        // shadow maps: centre x, z and half extent x, z, m
-    vec4 sunHeights;     // world y at their depth 1 and at depth 0, m; bias of a comparison, m; unused
+    vec4 sunRect;        // first cascade of the shadow maps: centre x, z and half extent x, z, m
+    vec4 sunRectsBeyond[2]; // the further cascades, of the air only: each holds those before it; 0: there is none
+    vec4 sunHeights;     // world y at their depth 1 and at depth 0, m; unused
+    vec4 sunBiases;      // of a comparison in each cascade, m; unused
     vec4 causticsRect;   // caustics texture: centre x, z and half extent x, z, m
     vec4 causticsBorder; // width of its fading border; edge of a texel; edge of a photon's cell, m; unused
 };

@@ -95,7 +95,7 @@ struct Parts {
         std::function<void(ViewRequest&)> coverage, intersection, texels;
         if (refraction.enabled && !isUnderwater()) {
             const reference::TargetCamera target =
-                targetCamera(refractionView(camera, aspect(), settings.water, refraction, false));
+                targetCamera(refractionView(camera, aspect(), settings.water, options(), false));
             const bool planar = refraction.method == RefractionOptions::Method::planar;
             texels = [target, edge = refraction.targetSize](ViewRequest& view) {
                 view.approximations.refractionTexels = {target, edge};
@@ -178,16 +178,19 @@ struct Parts {
         const SunlightOptions& sunlight = options().sunlight;
         std::function<void(ViewRequest&)> shadows;
         if (sunlight.shadows && scene.sun) {
-            const LevelRect rect = sunVolume(settings.water, worldBounds(scene), scene.sun->direction).rect;
-            const reference::ShadowTexels map{.rect = glm::dvec4(rect.centre, rect.halfExtent),
-                                              .edge = sunlight.mapSize,
-                                              .taps = sunlight.taps,
-                                              .bias = static_cast<double>(sunlight.bias)};
+            reference::ShadowTexels map{.cascades = {}, .edge = sunlight.mapSize, .taps = sunlight.taps};
+            const SunVolume volume =
+                sunVolume(settings.water, worldBounds(scene), scene.sun->direction, sunlight);
+            for (std::size_t i = 0; i < volume.cascades.size(); ++i)
+                map.cascades.push_back(
+                    {.rect = glm::dvec4(volume.cascades[i].centre, volume.cascades[i].halfExtent),
+                     .bias = static_cast<double>(shadowBias(volume, i, sunlight))});
             shadows = [map](ViewRequest& view) { view.approximations.shadows = map; };
         }
         add("shadow map",
             {{"sunlight.shadows", "true"},
              {"sunlight.map_size", atLeast(4096, sunlight.mapSize)},
+             {"sunlight.cascades", "3"},
              {"sunlight.taps", atLeast(3, sunlight.taps)}},
             shadows);
     }

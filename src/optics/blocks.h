@@ -42,7 +42,7 @@ static_assert(sizeof(FrameBlock) == offsetof(FrameBlock, lights) + maxLights * s
 static_assert(offsetof(ViewBlock, viewFromWorld) == 64 && offsetof(ViewBlock, worldFromClip) == 128);
 static_assert(offsetof(ViewBlock, eye) == 192 && offsetof(ViewBlock, clipPlane) == 208);
 static_assert(offsetof(ViewBlock, pixels) == 224 && sizeof(ViewBlock) == 240);
-static_assert(isStd140<SunBlock> && sizeof(SunBlock) == 64);
+static_assert(isStd140<SunBlock> && sizeof(SunBlock) == 112);
 static_assert(sizeof(WavesBlock) == maxWaves * sizeof(WaveTerm));
 
 } // namespace tarn::blocks

@@ -106,6 +106,10 @@ void visit(FieldVisitor& v, SunlightOptions& o)
 {
     v.field({"shadows", "Shadows of the sun above the water and, along the refracted sun, below it"}, o.shadows);
     v.field({"map_size", "Edge of the square depth maps along the sun", "texels", 16, 8192}, o.mapSize);
+    v.field({"cascades", "Maps of what stands over the water, each wider and coarser than the one before, at most; 1 "
+                         "leaves what is beyond the shore without shadows",
+             "maps", 1, 3},
+            o.cascades);
     v.choice({"depth", "Depth format of these maps"}, o.depth, depthFormatNames);
     v.field({"taps", "Comparisons along one edge of the shadow filter; 1 gives hard, stepped edges", "", 1, 5}, o.taps);
     v.field({"bias", "Height by which an occluder must clear a surface, beside the surface's own slope", "m", 0.0, 10.0},

@@ -64,6 +64,7 @@ struct ReflectionOptions {
 struct SunlightOptions {
     bool shadows = true;
     int mapSize = 2048;
+    int cascades = 3;
     DepthFormat depth = DepthFormat::depth24;
     int taps = 2;
     float bias = 0.02f;

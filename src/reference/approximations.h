@@ -4,6 +4,7 @@
 #include "base/math.h"
 
 #include <optional>
+#include <vector>
 
 namespace tarn::reference {
 
@@ -26,10 +27,13 @@ struct TargetTexels {
 
 /// The sun's depth map over the water's level (shaders/passes/sun_maps.glsl); rays stand for its depths.
 struct ShadowTexels {
-    glm::dvec4 rect{0.0}; ///< centre x, z and half extent, m
-    int edge = 2048;      ///< texels
-    int taps = 2;         ///< comparisons along one edge of its filter
-    double bias = 0.02;   ///< m
+    struct Cascade {
+        glm::dvec4 rect{0.0}; ///< centre x, z and half extent, m
+        double bias = 0.02;   ///< m
+    };
+    std::vector<Cascade> cascades; ///< finest first
+    int edge = 2048;               ///< texels of each
+    int taps = 2;                  ///< comparisons along one edge of its filter
 };
 
 /// Everything off is the truth. Each is what the viewer does, at the viewer's parameters but with rays in

@@ -146,15 +146,18 @@ dvec3 Integrator::shadowPlace(const ShadowTexels& map, const SurfacePoint& point
     const double level = world_.water ? world_.water->level() : 0.0;
     const dvec2 slant = optics64::sunSlant(dvec3(world_.light.sunDirection));
     const dvec2 plane = optics64::sunPlane(point.position, level, slant);
-    const dvec2 centre(map.rect.x, map.rect.y), half(map.rect.z, map.rect.w);
-    if (glm::any(glm::greaterThan(glm::abs(plane - centre), half))) return point.position;
+    const auto cascade = std::find_if(map.cascades.begin(), map.cascades.end(), [&](const ShadowTexels::Cascade& c) {
+        return glm::all(glm::lessThanEqual(glm::abs(plane - dvec2(c.rect.x, c.rect.y)), dvec2(c.rect.z, c.rect.w)));
+    });
+    if (cascade == map.cascades.end()) return point.position;
+    const dvec2 centre(cascade->rect.x, cascade->rect.y), half(cascade->rect.z, cascade->rect.w);
     const dvec2 texel = 2.0 * half / static_cast<double>(map.edge);
     const dvec2 at = (plane - centre + half) / texel;
     // A box of taps - 1 texels with linear edges: its texels by chance of their weights.
     const double box = map.taps - 1;
     const dvec2 middle = glm::floor(at + box * (chance - 0.5)) + 0.5;
     const dvec2 there = centre - half + middle * texel;
-    const double y = point.position.y + map.bias +
+    const double y = point.position.y + cascade->bias +
                      glm::dot(optics64::sunPlaneGradient(dvec3(point.geometricNormal), slant), there - plane);
     const dvec2 xz = there + slant * (y - level);
     return {xz.x, y, xz.y};

@@ -164,9 +164,11 @@ std::string identityOf(const Approximations& rough)
                 identityOf(*rough.reflection);
     for (const auto& texels : {rough.refractionTexels, rough.reflectionTexels})
         if (texels) text += fmt::format("; texels {}", texels->edge) + identityOf(texels->camera);
-    if (const auto& map = rough.shadows)
-        text += fmt::format("; shadows {},{} {},{} {} {} {}", map->rect.x, map->rect.y, map->rect.z, map->rect.w, map->edge,
-                            map->taps, map->bias);
+    if (const auto& map = rough.shadows) {
+        text += fmt::format("; shadows {} {}", map->edge, map->taps);
+        for (const ShadowTexels::Cascade& c : map->cascades)
+            text += fmt::format(" {},{} {},{} {}", c.rect.x, c.rect.y, c.rect.z, c.rect.w, c.bias);
+    }
     return text;
 }
 

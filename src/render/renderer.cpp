@@ -136,6 +136,7 @@ struct Renderer::State {
     void beginSunlight(const FrameInput& input);
     void drawTargets();
     void drawSunlight();
+    SunMaps sunMaps(const gl::Texture* causticsMap) const;
     void drawCaustics();
     void drawRefraction();
     void drawReflection();
@@ -159,9 +160,12 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     const bool sunlit = scene.sun && scene.sun->direction.y > 0.0f;
     const bool watery = scene.water.present && options.water.enabled;
     state_->painter.setWater(watery ? &scene.water : nullptr);
-    state_->painter.setSunMaps({nullptr, nullptr, nullptr, options.sunlight.taps});
+    state_->painter.setSunMaps({{}, nullptr, nullptr, options.sunlight.taps});
     PaintStyle lit;
     lit.shadows = sunlit && options.sunlight.shadows;
+    lit.distantShadows =
+        lit.shadows &&
+        sunVolume(scene.water, worldBounds(scene), scene.sun->direction, options.sunlight).cascades.size() > 1;
     lit.caustics = sunlit && watery && options.caustics.enabled;
     PaintStyle main = lit;
     main.sunDisc = true;
@@ -228,10 +232,10 @@ void Renderer::State::beginFrame(const FrameInput& input)
     isBelow = stats.plan.side == WaterSide::below;
     isCrossing = stats.plan.side == WaterSide::crossing;
     main = mainView(input.camera, aspect);
-    refractionView = tarn::refractionView(input.camera, aspect, water, options.refraction, isBelow);
+    refractionView = tarn::refractionView(input.camera, aspect, water, options, isBelow);
     reflectionView = tarn::reflectionView(input.camera, aspect, water, options.reflection, isBelow);
     if (isCrossing) {
-        refractionViewBelow = tarn::refractionView(input.camera, aspect, water, options.refraction, true);
+        refractionViewBelow = tarn::refractionView(input.camera, aspect, water, options, true);
         reflectionViewBelow = tarn::reflectionView(input.camera, aspect, water, options.reflection, true);
     }
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
@@ -244,11 +248,12 @@ void Renderer::State::beginFrame(const FrameInput& input)
 
 void Renderer::State::beginSunlight(const FrameInput& input)
 {
-    volume = sunVolume(water, bounds, light.sunDirection);
+    volume = sunVolume(water, bounds, light.sunDirection, options.sunlight);
     region = causticsRegion(water, input.camera, options.caustics);
     sunBlock.update(tarn::sunBlock(volume, region, options));
     lit = PaintStyle{};
     lit.shadows = stats.plan[PassId::sunlight].wanted && options.sunlight.shadows;
+    lit.distantShadows = lit.shadows && volume.cascades.size() > 1;
     lit.caustics = stats.plan[PassId::caustics].wanted;
 }
 
@@ -259,16 +264,25 @@ void Renderer::State::drawSunlight()
     const SunlightPass::Inputs inputs{volume, light.sunDirection, light.sunDirectionBelow, water.level,
                                       light.hasWater > 0.5f};
     if (sunlight.isStale(inputs, options.sunlight)) {
-        for (const SunLayer layer : {SunLayer::afloat, SunLayer::submerged}) {
-            const vec3& toSun = layer == SunLayer::afloat ? inputs.toSun : inputs.toSunBelow;
-            const View view = sunView(volume, layer, toSun, water, inputs.hasWater);
+        const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
+            const View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
             viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
-            sunlight.draw(layer, view, painter, options.sunlight, options.frame.cullChunks, pass);
-        }
+            sunlight.draw(layer, cascade, view, painter, options.sunlight, options.frame.cullChunks, pass);
+        };
+        for (std::size_t cascade = 0; cascade < volume.cascades.size(); ++cascade)
+            draw(SunLayer::afloat, cascade, inputs.toSun);
+        draw(SunLayer::submerged, 0, inputs.toSunBelow);
         sunlight.keep(inputs, options.sunlight);
     }
-    painter.setSunMaps({&sunlight.depth(SunLayer::afloat), &sunlight.depth(SunLayer::submerged), nullptr,
-                        options.sunlight.taps});
+    painter.setSunMaps(sunMaps(nullptr));
+}
+
+SunMaps Renderer::State::sunMaps(const gl::Texture* causticsMap) const
+{
+    SunMaps maps{{}, &sunlight.depth(SunLayer::submerged), causticsMap, options.sunlight.taps};
+    for (std::size_t cascade = 0; cascade < volume.cascades.size(); ++cascade)
+        maps.afloat.push_back(&sunlight.depth(SunLayer::afloat, cascade));
+    return maps;
 }
 
 namespace {
@@ -296,7 +310,7 @@ void Renderer::State::drawCaustics()
                            .absorption = water.absorption,
                            .surfaceMovesSideways = movesSideways(water, light.sunDirection, cell)},
                           pass);
-    painter.setSunMaps({&afloat, &submerged, &caustics.colour(), options.sunlight.taps});
+    painter.setSunMaps(sunMaps(&caustics.colour()));
     check(PassId::caustics, caustics);
 }
 

@@ -27,6 +27,7 @@ enum Feature : unsigned {
     inAir = 1u << 17,
     inWater = 1u << 18,
     flatWater = 1u << 19,
+    distantShadows = 1u << 20,
 };
 
 struct FeatureName {
@@ -40,7 +41,7 @@ constexpr FeatureName featureNames[] = {
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
     {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
     {waterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"},
-    {flatWater, "FLAT_WATER"}};
+    {flatWater, "FLAT_WATER"},      {distantShadows, "DISTANT_SHADOWS"}};
 
 /// What decides whether a surface is there at all.
 constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane;
@@ -105,6 +106,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
     if (style.debugNormals) bits |= debugNormals;
     if (style.shadows) bits |= shadows;
+    if (style.distantShadows && !(bits & inWater)) bits |= distantShadows;
     if (style.caustics && !(bits & inAir)) bits |= caustics;
     if (style.depthOnly) {
         bits &= shapeFeatures;
@@ -198,7 +200,11 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
             program.use();
             if (style.waterline) program.texture("waterline", *style.waterline);
             if (style.shadows) {
-                program.texture("afloatDepth", *sunMaps_.afloat);
+                program.texture("afloatDepth", *sunMaps_.afloat.front());
+                if (style.distantShadows && !(bits & inWater)) {
+                    program.texture("distantDepth0", *sunMaps_.afloat[1]);
+                    program.texture("distantDepth1", *sunMaps_.afloat.back());
+                }
                 program.texture("submergedDepth", *sunMaps_.submerged);
             }
             if (style.caustics && !(bits & inAir)) program.texture("causticsMap", *sunMaps_.caustics);

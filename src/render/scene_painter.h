@@ -19,15 +19,16 @@ struct PaintStyle {
     bool alphaToCoverage = false; ///< the target has several samples: foliage edges use them
     bool debugNormals = false;    ///< world-space normals in place of radiance
     bool shadows = false;         ///< sunlight is looked up in the shadow maps
+    bool distantShadows = false;  ///< in those beyond the first, too
     bool caustics = false;        ///< and what reaches the bed in the caustics texture
     bool throughFlatWater = false; ///< what lies under the level is drawn where a flat surface shows it
     bool depthOnly = false;       ///< no colour: what the sun's maps hold
     bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
 };
 
-/// What the sun's light is looked up in. Null: not there, and not asked for by any style.
+/// What the sun's light is looked up in. Empty or null: not there, and not asked for by any style.
 struct SunMaps {
-    const gl::Texture* afloat = nullptr;    ///< depth along the sun of what stands over the level
+    std::vector<const gl::Texture*> afloat; ///< depth along the sun of what stands over the level: 1 to 3 cascades
     const gl::Texture* submerged = nullptr; ///< depth along the refracted sun of what lies under it
     const gl::Texture* caustics = nullptr;  ///< irradiance on the bed relative to the sun's above the water
     int taps = 2;                           ///< comparisons along an edge of the shadow filter

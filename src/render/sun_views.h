@@ -7,6 +7,8 @@
 #include "render/view.h"
 #include "scene/scene.h"
 
+#include <vector>
+
 namespace tarn {
 
 /// A rectangle on the plane of the water's level.
@@ -16,15 +18,19 @@ struct LevelRect {
     bool operator==(const LevelRect&) const = default;
 };
 
+inline constexpr std::size_t mostCascades = 3;
+
 /// What the shadow maps hold. It does not depend on the eye, so that their texels never move and they need drawing
 /// only once.
 struct SunVolume {
-    LevelRect rect;                       ///< the water and a part of the shore
+    /// Where maps are laid: over the water and a part of the shore first, then, each holding the one before it, as far
+    /// as the scene goes (1 to mostCascades).
+    std::vector<LevelRect> cascades{LevelRect{}};
     float lowest = -1.0f, highest = 1.0f; ///< of the scene
     bool operator==(const SunVolume&) const = default;
 };
 /// @param bounds of the whole scene   @param toSun in the air; what lies deep is looked up that much to its side
-SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& toSun);
+SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& toSun, const SunlightOptions& options);
 
 /// Which half of the scene a shadow map holds.
 enum class SunLayer { afloat, submerged };
@@ -32,7 +38,8 @@ enum class SunLayer { afloat, submerged };
 /// The parallel projection along the sun (afloat) or along the refracted sun (submerged). Depth 0 is the highest
 /// height of the volume, 1 the lowest. toSun: in the layer's medium, unit, above the horizon.
 /// Without water all of the scene is afloat.
-View sunView(const SunVolume& volume, SunLayer layer, const vec3& toSun, const WaterBody& water, bool hasWater);
+View sunView(const SunVolume& volume, SunLayer layer, std::size_t cascade, const vec3& toSun, const WaterBody& water,
+             bool hasWater);
 
 /// What the caustics texture covers: the whole water when that is small, else a square about what the eye sees of it,
 /// whose size has steps of √2 and whose place has steps of a texel, so that texels and photons keep their place on the
@@ -42,6 +49,10 @@ struct CausticsRegion {
     float border = 0.0f; ///< width of the border in which it gives way to a flat surface; 0: it holds all there is
 };
 CausticsRegion causticsRegion(const WaterBody& water, const Camera& camera, const CausticsOptions& options);
+
+/// By how much an occluder must clear a surface in a cascade, m: the option's bias in the first; a coarser texel, within
+/// which a surface may bend, asks for a quarter of what it is wider.
+float shadowBias(const SunVolume& volume, std::size_t cascade, const SunlightOptions& options);
 
 blocks::SunBlock sunBlock(const SunVolume& volume, const CausticsRegion& region, const Options& options);
 

@@ -1,7 +1,9 @@
 #include "render/view.h"
 
+#include "optics/optics.h"
 #include "optics/refraction_camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tarn {
@@ -22,20 +24,54 @@ View viewOf(const Camera& camera, float aspect, float extension)
 vec4 keepBelow(float height) { return {0.0f, -1.0f, 0.0f, height}; }
 vec4 keepAbove(float height) { return {0.0f, 1.0f, 0.0f, -height}; }
 
+/// The factor on a submerged camera's field of view (tangents) that holds what its rays meet in the air, once a flat
+/// surface has bent them. More than `most` spreads the target's texels too thin: an eye that looks straight up sees the
+/// whole horizon.
+float extensionThroughSurface(const View& view, float ior, float least, float most)
+{
+    const vec2 tangents(1.0f / view.clipFromView[0][0], 1.0f / view.clipFromView[1][1]);
+    const mat3 worldFromView = glm::transpose(mat3(view.viewFromWorld));
+    constexpr int across = 16;
+    constexpr float forWaves = 1.1f; // their slopes turn rays a little further
+    float extension = least;
+    for (int j = 0; j <= across; ++j) {
+        for (int i = 0; i <= across; ++i) {
+            const vec2 at(2.0f * static_cast<float>(i) / across - 1.0f, 2.0f * static_cast<float>(j) / across - 1.0f);
+            const vec3 direction = normalize(worldFromView * vec3(at * tangents, -1.0f));
+            if (direction.y <= 0.0f) continue;
+            const vec3 bent = optics::refractRay(direction, vec3(0.0f, -1.0f, 0.0f), ior);
+            if (bent == vec3(0.0f)) continue; // mirrored
+            const vec3 ray = mat3(view.viewFromWorld) * bent;
+            const vec2 needed = glm::abs(vec2(ray)) / (std::max(-ray.z, 1.0e-3f) * tangents);
+            extension = std::max(extension, forWaves * std::max(needed.x, needed.y));
+        }
+    }
+    return std::min(extension, std::max(least, most));
+}
+
 } // namespace
 
 View mainView(const Camera& camera, float aspect) { return viewOf(camera, aspect, 1.0f); }
 
-View refractionView(const Camera& camera, float aspect, const WaterBody& water, const RefractionOptions& options,
+View refractionView(const Camera& camera, float aspect, const WaterBody& water, const Options& allOptions,
                     bool underwater)
 {
+    const RefractionOptions& options = allOptions.refraction;
     const float height = std::abs(camera.eye.y - water.level);
     const float extension = optics::fovExtension(height, options.fovExtensionNear, options.fovExtensionFar);
-    View view = viewOf(camera, aspect, extension);
     if (underwater) {
+        const bool asPublished = allOptions.underwater.refraction == UnderwaterOptions::Refraction::paper;
+        constexpr float widest = 3.0f;
+        const float wide =
+            asPublished ? extension : extensionThroughSurface(mainView(camera, aspect), water.ior, extension, widest);
+        View view = viewOf(camera, aspect, wide);
         view.clipPlane = keepAbove(water.level - options.clipOffset);
+        if (asPublished) return view;
+        view.viewFromWorld *= glm::translate(mat4(1.0f), vec3(0.0f, camera.eye.y - water.level, 0.0f));
+        view.eye.y = water.level;
         return view;
     }
+    View view = viewOf(camera, aspect, extension);
     view.clipPlane = keepBelow(water.level + options.clipOffset);
     // Waves may hold the eye's height over the level as small as this without a flat surface between.
     constexpr float leastHeight = 0.02f;

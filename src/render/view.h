@@ -28,8 +28,9 @@ View mainView(const Camera& camera, float aspect);
 /// The refraction target's camera. Above the water: the underwater part, from a camera that is turned about the point
 /// O by the angle of refraction (Mihálik 2008, eq. 1–2), stands where the main one does, or stands there and sees
 /// through a flat surface (shaders/shared/refraction.glsl, flatApparent), which hides nothing that refraction shows.
-/// Under water: what is above, from the main camera (section 7.5).
-View refractionView(const Camera& camera, float aspect, const WaterBody& water, const RefractionOptions& options,
+/// Under water: what is above, as published from the main camera (section 7.5), else from where it would be at the
+/// level, straight above: rays that leave the water at a small angle pass there, so that what hides what is theirs.
+View refractionView(const Camera& camera, float aspect, const WaterBody& water, const Options& options,
                     bool underwater);
 
 /// The main camera mirrored in the water's plane; sees what is above it, or below it for an eye under water.

@@ -40,12 +40,18 @@ int addMaterial(Scene& scene, const vec3& diffuse)
     return static_cast<int>(scene.materials.size()) - 1;
 }
 
-void addFloor(Scene& scene, float height, float edge, int material)
+void addFloor(Scene& scene, float height, float edge, int material, int tiles)
 {
-    const float h = 0.5f * edge;
     Mesh mesh;
-    addQuad(mesh, {vec3(-h, height, h), vec3(h, height, h), vec3(h, height, -h), vec3(-h, height, -h)},
-            vec3(0.0f, 1.0f, 0.0f));
+    const float tile = edge / static_cast<float>(tiles);
+    for (int j = 0; j < tiles; ++j) {
+        for (int i = 0; i < tiles; ++i) {
+            const float x = tile * static_cast<float>(i) - 0.5f * edge, z = tile * static_cast<float>(j) - 0.5f * edge;
+            addQuad(mesh, {vec3(x, height, z + tile), vec3(x + tile, height, z + tile), vec3(x + tile, height, z),
+                           vec3(x, height, z)},
+                    vec3(0.0f, 1.0f, 0.0f));
+        }
+    }
     addMesh(scene, std::move(mesh), material);
 }
 

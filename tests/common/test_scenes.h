@@ -6,7 +6,7 @@
 namespace tarn::test {
 
 /// A quad of a material, facing up, at a height; edge lengths in metres, centred on the axis.
-void addFloor(Scene& scene, float height, float edge, int material);
+void addFloor(Scene& scene, float height, float edge, int material, int tiles = 1);
 
 /// A box of a material.
 void addBox(Scene& scene, const vec3& lower, const vec3& upper, int material);

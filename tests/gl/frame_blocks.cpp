@@ -75,7 +75,9 @@ TEST(FrameBlocks, TheDriversOffsetsAreCpps)
         shaders->program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag");
     expectLayout(*photons, "SunBlock", sizeof(SunBlock),
                  {{"sunRect", offsetof(SunBlock, sunRect)},
+                  {"sunRectsBeyond[0]", offsetof(SunBlock, sunRectsBeyond)},
                   {"sunHeights", offsetof(SunBlock, sunHeights)},
+                  {"sunBiases", offsetof(SunBlock, sunBiases)},
                   {"causticsRect", offsetof(SunBlock, causticsRect)},
                   {"causticsBorder", offsetof(SunBlock, causticsBorder)}});
 }

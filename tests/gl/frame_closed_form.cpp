@@ -77,7 +77,7 @@ TEST_P(SnellLookup, LandsWithinATexelOfSnell)
     const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::positionW);
     const float aspect = static_cast<float>(pictureSize.x) / static_cast<float>(pictureSize.y);
     const mat4 clipFromWorld =
-        refractionView(camera, aspect, scene.water, options.refraction, false).clipFromWorld();
+        refractionView(camera, aspect, scene.water, options, false).clipFromWorld();
     const int size = options.refraction.targetSize;
 
     int inView = 0;

@@ -121,6 +121,31 @@ TEST(Positions, ThePictureOfTheBedIsThatOfTheTrueHit)
     EXPECT_LT(worst, 0.02);
 }
 
+// Seen through flat water, triangles of two metres are drawn straight though what they show is not: the lookup corrects
+// it, from an eye so low that they would be off by centimetres.
+TEST(Positions, LargeTrianglesDoNotBendThePictureThroughFlatWater)
+{
+    Scene scene = flatLake(depth, 400.0f, 0.1f);
+    addFloor(scene, -depth, 60.0f, 0, 36);
+    const Camera camera = lookAlong(-25.0f, 0.4f);
+    Options options;
+    options.refraction.camera = RefractionOptions::CameraMode::flat;
+    options.refraction.targetSize = 2048;
+    options.refraction.steps = 8;
+    Studio studio(scene, options);
+    for (const DebugView view : {DebugView::positionA, DebugView::positionW}) {
+        const Image image = studio.linear(camera, pictureSize, 0.0, view);
+        double worst = 0.0;
+        const int water = forWater(camera, image, 4.0, [&](const dvec3& ray, const dvec3& surface, const vec4& value) {
+            const dvec3 refracted = optics64::refractRay(ray, dvec3(0, 1, 0), 1.0 / n);
+            worst = std::max(worst, glm::distance(surface - refracted * (depth / refracted.y), dvec3(value)));
+        });
+        EXPECT_GT(water, pictureSize.x * pictureSize.y / 3);
+        // Uncorrected both are off by 17 cm; the last look at the picture has one correction, the search several.
+        EXPECT_LT(worst, view == DebugView::positionW ? 0.01 : 0.05);
+    }
+}
+
 // The first approximation's W is beside the bed; its picture is of the bed all the same.
 TEST(Positions, ThePlanarLookupsPictureIsOfTheBed)
 {

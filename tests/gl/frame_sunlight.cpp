@@ -5,6 +5,7 @@
 
 #include "optics/optics.h"
 #include "render/renderer.h"
+#include "render/sun_views.h"
 
 #include <gtest/gtest.h>
 
@@ -111,6 +112,40 @@ TEST(FrameSunlight, AShadowUnderWaterLiesAlongTheRefractedSun)
         }
     }
     EXPECT_EQ(wrong, 0);
+}
+
+// A shore far beyond the water has shadows as well, from the map between and from the last.
+TEST(FrameSunlight, FurtherMapsShadeWhatIsBeyondTheShore)
+{
+    for (const float pondAt : {3.0f, 15.0f}) {
+        Scene scene = sunlit(45.0f, 0.5f);
+        scene.water.centre = vec2(pondAt);
+        scene.water.extent = vec2(1.0f);
+        addBox(scene, {2.0f, 1.5f, -0.5f}, {3.5f, 1.51f, 0.5f}, 0);
+        const Bounds bounds = worldBounds(scene);
+        Options options;
+        const SunVolume volume = sunVolume(scene.water, bounds, scene.sun->direction, options.sunlight);
+        ASSERT_EQ(volume.cascades.size(), 3u);
+        for (std::size_t i = 1; i < 3; ++i) {
+            const LevelRect &inner = volume.cascades[i - 1], &outer = volume.cascades[i];
+            EXPECT_TRUE(glm::all(glm::lessThanEqual(glm::abs(inner.centre - outer.centre) + inner.halfExtent,
+                                                    outer.halfExtent + 1.0e-3f)));
+        }
+        const float lit = 0.5f / pi * 2.0f * std::sin(glm::radians(45.0f));
+        const Image shadowed = rendered(scene, above(0.5f), options);
+        int wrong = 0;
+        for (float z = -1.5f; z < 1.5f; z += 0.05f) {
+            for (float x = -1.0f; x < 1.9f; x += 0.05f) {
+                const float inside = std::min(x - 0.99f, 0.5f - std::abs(z));
+                if (std::abs(inside) < 0.1f) continue;
+                if (std::abs(seenAt(shadowed, x, z) - (inside > 0.0f ? 0.0f : lit)) > 0.01f * lit) ++wrong;
+            }
+        }
+        EXPECT_EQ(wrong, 0) << "pond at " << pondAt;
+        options.sunlight.cascades = 1;
+        EXPECT_EQ(sunVolume(scene.water, bounds, scene.sun->direction, options.sunlight).cascades.size(), 1u);
+        EXPECT_NEAR(seenAt(rendered(scene, above(0.5f), options), 1.5f, 0.0f), lit, 0.01f * lit);
+    }
 }
 
 // Slopes towards and away from the sun cast nothing on themselves.

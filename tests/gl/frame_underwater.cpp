@@ -410,13 +410,15 @@ TEST_P(SweepThrough, NothingFlashes)
     double spike = 0.0;
     for (std::size_t i = 1; i < means.size(); ++i) {
         largest = std::max(largest, std::abs(means[i] - means[i - 1]));
-        if (i + 1 < means.size())
-            spike = std::max(spike, std::abs(means[i] - std::clamp(means[i], std::min(means[i - 1], means[i + 1]),
-                                                                   std::max(means[i - 1], means[i + 1]))));
+        if (i < 2 || i + 2 >= means.size()) continue;
+        // The bottom of a valley lies under its neighbours, but not under where they lead.
+        const auto [low, high] = std::minmax({means[i - 1], means[i + 1], 2.0 * means[i - 1] - means[i - 2],
+                                              2.0 * means[i + 1] - means[i + 2]});
+        spike = std::max(spike, std::abs(means[i] - std::clamp(means[i], low, high)));
     }
-    // A step of 1 cm moves the line over a twelfth of the near plane; measured: 0.13 and 0.011 at most.
+    // A step of 1 cm moves the line over a twelfth of the near plane; measured: 0.13 at most.
     EXPECT_LT(largest, 0.16 * *most);
-    EXPECT_LT(spike, 0.02 * *most);
+    EXPECT_LT(spike, 0.01 * *most) << spike / *most;
     EXPECT_GT(*least, 0.1 * *most);
 }
 

@@ -96,7 +96,7 @@ TEST(TradePlan, TheDefaultIsLargeEnoughAndNotTooLarge)
 {
     const TradePlan plan = planTrade({{}, false, loadPresets()}, describerOf(Settings{}));
     EXPECT_GE(plan.points.size(), 40u);
-    EXPECT_LE(plan.points.size(), 56u) << "with eight steps of the walk at most 64, which is half an hour";
+    EXPECT_LE(plan.points.size(), 52u) << "with six steps of the walk at most 58, which is half an hour";
     EXPECT_EQ(plan.presets.size(), loadPresets().size());
     EXPECT_TRUE(plan.walk);
     for (std::size_t i = 0; i < plan.points.size(); ++i)

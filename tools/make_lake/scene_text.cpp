@@ -21,6 +21,7 @@ frame.exposure = 0.065
 refraction.camera = "flat"
 refraction.steps = 4
 reflection.facets = "five"
+caustics.texture_size = 512
 glow.strength = 0.3
 
 [sun]

@@ -84,7 +84,7 @@ std::size_t addPoint(std::vector<TradePoint>& points, TradePoint point)
 
 std::vector<std::string> defaultSweeps()
 {
-    return {"refraction.steps=1,2,4,8",
+    return {"refraction.steps=2,4,8",
             "refraction.target_size=128:1024:*2",
             "refraction.camera=main,snell,flat",
             "refraction.method=planar,iterative",
@@ -99,11 +99,12 @@ std::vector<std::string> defaultSweeps()
             "water.filter_waves=false,true",
             "caustics.method=points,fetch,mesh",
             "caustics.texture_size=128:1024:*2",
-            "caustics.photons=128:1024:*2",
-            "caustics.filter=0:2",
-            "sunlight.map_size=512:4096:*2",
-            "sunlight.taps=1,2,3",
-            "frame.msaa=1,2,4,8",
+            "caustics.photons=128:512:*2",
+            "caustics.filter=1,2",
+            "sunlight.map_size=1024:4096:*2",
+            "sunlight.taps=1,2",
+            "sunlight.cascades=1,3",
+            "frame.msaa=1,4",
             "frame.supersampling=1,2"};
 }
 

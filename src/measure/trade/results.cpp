@@ -16,7 +16,7 @@ namespace tarn {
 
 namespace {
 
-constexpr std::size_t walkLength = 8;
+constexpr std::size_t walkLength = 6;
 
 /// Prices of one view by point id, from all its batches.
 struct ViewPrices {

@@ -19,16 +19,20 @@ const gl::Target& RefractionPass::draw(ScenePainter& painter, const RefractionOp
 {
     // Depth-buffer values are linear in screen space on any plane, so that filtering them is exact on flat ground and
     // good to second order on a smooth bed.
+    const bool isFlat = inputs.view.flatWater.has_value();
+    std::vector<gl::Format> colours{gl::Format::rgba16f};
+    if (isFlat) colours.push_back(gl::Format::rgba32f);
     target_.ensure({.size = ivec2(options.targetSize),
-                    .colours = {gl::Format::rgba16f},
+                    .colours = colours,
                     .depth = glFormat(options.depth),
                     .depthFilter = gl::Filter::linear});
     gl::apply({});
     target_.bind();
     target_.drawFramebuffer().clearColour(vec4(inputs.deepRadiance, 1.0f));
+    if (isFlat) target_.drawFramebuffer().clearColour(vec4(0.0f), 1);
     target_.drawFramebuffer().clearDepth();
     PaintStyle style = inputs.style;
-    style.throughFlatWater = inputs.view.flatWater.has_value();
+    style.throughFlatWater = isFlat;
     style.sky = inputs.underwater; // in the water the far distance is water
     painter.draw(inputs.view, style, WaterCover{}, inputs.cull, stats);
     return target_;

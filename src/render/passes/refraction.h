@@ -1,4 +1,5 @@
-// The refraction target: colour and depth of what lies on the far side of the water's surface (Mihálik 2008, 5.1).
+// The refraction target: colour and depth of what lies on the far side of the water's surface (Mihálik 2008, 5.1); seen
+// through a flat surface, also the point that each texel shows.
 #pragma once
 
 #include "gl/target.h"

@@ -10,10 +10,10 @@ bool SunlightPass::isStale(const Inputs& inputs, const SunlightOptions& options)
     return !drawn_ || !(*drawn_ == inputs) || mapSize_ != options.mapSize || format_ != options.depth;
 }
 
-void SunlightPass::draw(SunLayer layer, const View& view, ScenePainter& painter, const SunlightOptions& options,
-                        bool cull, FrameStats::Pass& stats)
+void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, ScenePainter& painter,
+                        const SunlightOptions& options, bool cull, FrameStats::Pass& stats)
 {
-    gl::Target& target = layer == SunLayer::afloat ? afloat_ : submerged_;
+    gl::Target& target = layer == SunLayer::afloat ? afloat_.at(cascade) : submerged_;
     // Photons read the bed between texels; shadow comparisons fetch single ones and filter the answers.
     target.ensure({.size = ivec2(options.mapSize),
                    .colours = {},

@@ -7,6 +7,7 @@
 #include "render/scene_painter.h"
 #include "render/sun_views.h"
 
+#include <array>
 #include <optional>
 
 namespace tarn {
@@ -25,18 +26,21 @@ public:
     /// True when the maps must be drawn: they keep what they hold until an input, or an option, changes.
     bool isStale(const Inputs& inputs, const SunlightOptions& options) const;
 
-    /// Draws one layer. The view's ViewBlock must be bound.
-    void draw(SunLayer layer, const View& view, ScenePainter& painter, const SunlightOptions& options, bool cull,
-              FrameStats::Pass& stats);
-    /// After both layers.
+    /// Draws one map. The view's ViewBlock must be bound.
+    /// @param cascade of the layer; what is submerged has one
+    void draw(SunLayer layer, std::size_t cascade, const View& view, ScenePainter& painter,
+              const SunlightOptions& options, bool cull, FrameStats::Pass& stats);
+    /// After all of them.
     void keep(const Inputs& inputs, const SunlightOptions& options);
 
-    const gl::Texture& depth(SunLayer layer) const { return target(layer).depth(); }
+    const gl::Texture& depth(SunLayer layer, std::size_t cascade = 0) const
+    {
+        return (layer == SunLayer::afloat ? afloat_.at(cascade) : submerged_).depth();
+    }
 
 private:
-    const gl::Target& target(SunLayer layer) const { return layer == SunLayer::afloat ? afloat_ : submerged_; }
-
-    gl::Target afloat_{"sunlight afloat"};
+    std::array<gl::Target, mostCascades> afloat_{gl::Target{"sunlight afloat"}, gl::Target{"sunlight beyond"},
+                                                 gl::Target{"sunlight far beyond"}};
     gl::Target submerged_{"sunlight submerged"};
     std::optional<Inputs> drawn_;
     int mapSize_ = 0;

@@ -24,8 +24,9 @@ int debugCode(DebugView view)
 /// Whether the mirrored point is found in the mirrored picture's depth.
 bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
 {
-    return inputs.reflection && !inputs.underwater &&
-           options.reflection.method == ReflectionOptions::Method::iterative;
+    const bool asPublished =
+        inputs.underwater && options.underwater.refraction == UnderwaterOptions::Refraction::paper;
+    return inputs.reflection && !asPublished && options.reflection.method == ReflectionOptions::Method::iterative;
 }
 
 } // namespace
@@ -70,6 +71,7 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         p.set("refractionViewFromWorld", view.viewFromWorld);
         p.set("refractionClipFromView", view.clipFromView);
         p.texture("refractionDepth", inputs.refraction->depth());
+        if (view.flatWater) p.texture("refractionShown", inputs.refraction->colour(1));
         p.set("worldFromRefractionView", glm::inverse(view.viewFromWorld));
         p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
         p.set("refractionSteps", options.refraction.steps);
