@@ -156,6 +156,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     if (scene.pointLights.size() + scene.spotLights.size() > static_cast<std::size_t>(blocks::maxLights))
         log::warning("{}: {} point and spot lights, but only the first {} are drawn", scene.file.string(),
                      scene.pointLights.size() + scene.spotLights.size(), blocks::maxLights);
+    state_->bounds = worldBounds(scene);
     // Programs that the first frame would otherwise wait for: the variants of a sunlit scene, where there is a sun.
     const bool sunlit = scene.sun && scene.sun->direction.y > 0.0f;
     const bool watery = scene.water.present && options.water.enabled;
@@ -165,14 +166,13 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     lit.shadows = sunlit && options.sunlight.shadows;
     lit.distantShadows =
         lit.shadows &&
-        sunVolume(scene.water, worldBounds(scene), scene.sun->direction, options.sunlight).cascades.size() > 1;
+        sunVolume(scene.water, state_->bounds, scene.sun->direction, options.sunlight).cascades.size() > 1;
     lit.caustics = sunlit && watery && options.caustics.enabled;
     PaintStyle main = lit;
     main.sunDisc = true;
     main.alphaToCoverage = options.frame.msaa > 1;
     state_->painter.prepare(main, false);
     if (watery) state_->painter.prepare(lit, true);
-    state_->bounds = worldBounds(scene);
     state_->bedEdge = coarseEdgeUnderWater(scene, scene.water);
     state_->takeOptions(options, scene.water);
 }
