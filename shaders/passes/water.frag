@@ -5,6 +5,7 @@
 #include "shared/waves.glsl"
 #include "shared/depth.glsl"
 #include "shared/intersection.glsl"
+#include "shared/reflection.glsl"
 #include "shared/lighting.glsl"
 #include "passes/water_surface.glsl"
 
@@ -245,36 +246,19 @@ vec2 reflectionTexel(vec3 reflected)
     u.z = min(u.z, -1.0e-3);
     vec3 r = normalize(mat3(reflectionViewFromWorld) * reflected);
     vec3 up = mat3(reflectionViewFromWorld) * vec3(0.0, 1.0, 0.0);
-    // The least |A - W| would be that of a tree in front of the sky, which is a place like any other, but on the far
-    // plane: what counts here is the angle at U between A and the ray. What is seen to stand higher than the ray goes
-    // stands on the ground, which that camera, below the level, may see the back of and so not at all: no sky then.
     vec3 w = u;
     vec3 seen = seenThrough(u, reflectionZ(u));
     IntersectionState s = intersectionBegin(u, r, seen);
-    vec3 best = u, bestThing = u;
-    float least = 4.0, leastThing = 4.0;
-    bool isBlocked = false;
+    MirrorChoice choice = mirrorBegin(u, r, up);
     for (int i = 0; i < reflectionSteps; ++i) {
         if (i > 0) {
             w = s.W;
             seen = seenThrough(w, reflectionZ(w));
             s = intersectionStepSeen(s, seen);
         }
-        vec3 way = normalize(seen - u);
-        float miss = 1.0 - dot(way, r);
-        if (miss < least) {
-            least = miss;
-            best = w;
-        }
-        if (-seen.z > 0.99 * reflectionNearFar.y) continue; // sky
-        if (miss < leastThing) {
-            leastThing = miss;
-            bestThing = w;
-        }
-        if (dot(way, up) > dot(r, up)) isBlocked = true;
+        choice = mirrorConsider(choice, w, seen, -seen.z > 0.99 * reflectionNearFar.y);
     }
-    if (isBlocked) best = bestThing;
-    return reflectionTexelAt(best);
+    return reflectionTexelAt(mirrorChosen(choice));
 }
 #else
 vec2 reflectionTexel(vec3 reflected)

@@ -191,8 +191,7 @@ vec3 Integrator::lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) cons
     reflected.y = std::abs(reflected.y); // as the frame has it: what a wave mirrors of the water is mirrored again
     const Approximations& rough = world_.approximations;
     const TargetPicture picture(*rough.reflection, world_.geometry, world_.water->level(), world_.light.ior);
-    dvec3 A;
-    const dvec3 W = rough.reflectionSteps > 0 ? picture.search(U, reflected, rough.reflectionSteps, false, A)
+    const dvec3 W = rough.reflectionSteps > 0 ? picture.searchMirrored(U, reflected, rough.reflectionSteps)
                                               : U + rough.reflectionDistance * reflected;
     const TargetPicture::Seen seen = picture.seenAt(W);
     if (!seen.hit) return skyAlong(seen.ray.direction, walk);

@@ -106,4 +106,23 @@ dvec3 TargetPicture::search(const dvec3& U, const dvec3& direction, int steps, b
     return inWorld(state.best);
 }
 
+dvec3 TargetPicture::searchMirrored(const dvec3& U, const dvec3& direction, int steps) const
+{
+    dvec3 u = inView(U);
+    u.z = std::min(u.z, -1.0e-3);
+    const dmat3 rotation(camera_.viewFromWorld);
+    const dvec3 r = glm::normalize(rotation * direction);
+    auto choice = optics64::mirrorBegin(u, r, rotation * dvec3(0.0, 1.0, 0.0));
+    const auto look = [&](const dvec3& w) {
+        const Seen seen = seenAt(inWorld(w));
+        const dvec3 shown = optics64::seenThrough(w, inView(seen.point).z);
+        choice = optics64::mirrorConsider(choice, w, shown, !seen.hit);
+        return shown;
+    };
+    auto state = optics64::intersectionBegin(u, r, look(u));
+    for (int i = 1; i < steps; ++i)
+        state = optics64::intersectionStepSeen(state, look(state.W));
+    return inWorld(optics64::mirrorChosen(choice));
+}
+
 } // namespace tarn::reference

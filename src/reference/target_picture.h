@@ -30,6 +30,8 @@ public:
     /// W: where a ray from the surface meets what the picture shows, found as passes/water.frag finds it.
     /// @param A what the search takes for the point there
     dvec3 search(const dvec3& U, const dvec3& direction, int steps, bool planar, dvec3& A) const;
+    /// W of a reflected ray.
+    dvec3 searchMirrored(const dvec3& U, const dvec3& direction, int steps) const;
 
 private:
     dvec3 inView(const dvec3& point) const { return dvec3(camera_.viewFromWorld * glm::dvec4(point, 1.0)); }

@@ -73,7 +73,7 @@ protected:
     {
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
-             {"blocks", "refraction", "depth", "waves", "intersection", "lighting", "tonemap", "sunlight"}) {
+             {"blocks", "refraction", "depth", "waves", "intersection", "reflection", "lighting", "tonemap", "sunlight"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
             includes_ += "#include \"" + name + "\"\n";
@@ -413,6 +413,38 @@ TEST_F(OpticsGl, Intersection)
         {"closestOnRay", nearest.c_str(),
          [u, r](const Inputs& i) { return wide(closestOnRay(u(i), r(i), 3.0f * xyz(i.c), xyz(i.a) + 0.5f)); },
          1e-3f},
+    });
+}
+
+TEST_F(OpticsGl, ChoiceOfTheMirroredPoint)
+{
+    using namespace optics;
+    // Two candidates beside a ray: the nearer in angle counts, unless it is sky and the other hides it.
+    auto chosen = [](const Inputs& i) {
+        const vec3 U(i.a.x, i.a.y - 1.0f, -3.0f - 4.0f * i.a.w);
+        const vec3 R = glm::normalize(vec3(i.b.x, 0.2f + i.b.y, -0.5f - i.b.w));
+        auto choice = mirrorBegin(U, R, vec3(0.0f, 1.0f, 0.0f));
+        choice = mirrorConsider(choice, U + R, U + 5.0f * R + 0.4f * xyz(i.c), false);
+        return mirrorConsider(choice, U + 2.0f * R, U + 900.0f * R + 1.0f, true);
+    };
+    const std::string U = "vec3(a.x, a.y - 1.0, -3.0 - 4.0 * a.w)",
+                      R = "normalize(vec3(b.x, 0.2 + b.y, -0.5 - b.w))";
+    const std::string begun = "mirrorBegin(" + U + ", " + R + ", vec3(0.0, 1.0, 0.0))";
+    const std::string near = "mirrorConsider(" + begun + ", " + U + " + " + R + ", " + U + " + 5.0 * " + R +
+                             " + 0.4 * c.xyz, false)";
+    const std::string far = "mirrorConsider(" + near + ", " + U + " + 2.0 * " + R + ", " + U + " + 900.0 * " +
+                            R + " + 1.0, true)";
+    const std::string place = "vec4(mirrorChosen(" + far + "), 0.0)";
+    const std::string angles = "vec4(" + far + ".least, " + far + ".leastThing, 0.0, 0.0)";
+    check({
+        {"mirrorChosen", place.c_str(), [chosen](const Inputs& i) { return wide(mirrorChosen(chosen(i))); },
+         1e-5f},
+        {"mirrorConsider", angles.c_str(),
+         [chosen](const Inputs& i) {
+             const auto choice = chosen(i);
+             return vec4(choice.least, choice.leastThing, 0.0f, 0.0f);
+         },
+         1e-5f},
     });
 }
 

@@ -329,5 +329,34 @@ TEST(IntersectionSearch, RayAlongTheViewDirection)
     EXPECT_LT(glm::length(state.best - optics::seenThrough(u, -7.0f)), 1e-5f);
 }
 
+// A tree in front of the sky: the ray passes over it, or through it, and the nearest in angle is right.
+TEST(MirrorChoice, TakesTheNearestInAngle)
+{
+    const dvec3 u(0.0, 0.0, -5.0), up(0.0, 1.0, 0.0);
+    const dvec3 tree(0.0, 2.0, -25.0), sky(0.0, 300.0, -1000.0);
+    const auto chosen = [&](const dvec3& r) {
+        auto choice = optics64::mirrorBegin(u, r, up);
+        choice = optics64::mirrorConsider(choice, dvec3(1.0, 0.0, -6.0), tree, false);
+        choice = optics64::mirrorConsider(choice, dvec3(2.0, 0.0, -6.0), sky, true);
+        return optics64::mirrorChosen(choice).x;
+    };
+    EXPECT_EQ(chosen(glm::normalize(sky - u)), 2.0) << "|A - W| of the sky is hundreds of metres";
+    EXPECT_EQ(chosen(glm::normalize(tree - u)), 1.0);
+    EXPECT_EQ(chosen(glm::normalize(tree - u + dvec3(0.0, 0.1, 0.0))), 1.0);
+}
+
+// The camera below the level sees the tree's foot, then sky under it: what the ray meets is the tree's back.
+TEST(MirrorChoice, TakesNoSkyBelowWhatStandsHigher)
+{
+    const dvec3 u(0.0, 0.0, -5.0), up(0.0, 1.0, 0.0);
+    const dvec3 r = glm::normalize(dvec3(0.0, 1.0, -10.0));
+    const dvec3 crown = u + 20.0 * r + dvec3(0.0, 1.5, 0.0), beside = u + 900.0 * r;
+    auto choice = optics64::mirrorBegin(u, r, up);
+    choice = optics64::mirrorConsider(choice, dvec3(1.0, 0.0, -6.0), crown, false);
+    choice = optics64::mirrorConsider(choice, dvec3(2.0, 0.0, -6.0), beside, true);
+    EXPECT_LT(choice.least, choice.leastThing);
+    EXPECT_EQ(optics64::mirrorChosen(choice).x, 1.0);
+}
+
 } // namespace
 } // namespace tarn

@@ -129,8 +129,13 @@ TEST(Presets, ArePickedFromTheFrontByTheRule)
     const std::vector<std::pair<double, double>> priced{{70, 9}, {9, 6.5}, {1, 8},  {3, 6},
                                                         {4, 5},  {15, 4},  {20, 3}, {64, 1}};
     EXPECT_EQ(picksOf(priced, false), (std::vector<std::size_t>{2, 4, 5, 7}));
-    // As accurate as the thesis from 3 on; thirds of 3 to 64 are at 8.3 and 23.1.
-    EXPECT_EQ(picksOf(priced, true), (std::vector<std::size_t>{3, 4, 6, 7}));
+    // The thesis costs 9, and 4 is the most accurate up to there; thirds of 4 to 64 are at 10.1 and 25.4.
+    EXPECT_EQ(picksOf(priced, true), (std::vector<std::size_t>{4, 4, 6, 7}));
+    // A thesis on the front itself: 3 is what its own price buys.
+    EXPECT_EQ(picksOf({{70, 9}, {3, 6}, {1, 8}, {64, 1}}, true), (std::vector<std::size_t>{1, 1, 1, 3}));
+    // Nothing is known of what the thesis costs.
+    EXPECT_EQ(picksOf({{70, 9}, {std::nan(""), 6}, {1, 8}, {64, 1}}, true),
+              (std::vector<std::size_t>{2, 2, 2, 3}));
     EXPECT_EQ(picksOf({{2, 2}}, false), (std::vector<std::size_t>{0, 0, 0, 0}));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_CONTAINS(messageOf<Error>([&] { picksOf({{nan, 2}, {2, nan}}, false); }), "presets");

@@ -18,10 +18,11 @@ const FigureField& flipField()
     throw Error("there is no figure for FLIP; this is a fault of the program");
 }
 
-std::optional<double> thesisError(const TradeSetup& setup, const TradeResults& results)
+/// What the thesis' settings cost, where the plan has them.
+std::optional<double> thesisPrice(const TradeSetup& setup, const TradeResults& results)
 {
     for (const auto& [name, index] : setup.plan.presets)
-        if (name == "thesis") return results.points[index].mean.errors.flip;
+        if (name == "thesis") return results.points[index].mean.price.median;
     return {};
 }
 
@@ -56,18 +57,15 @@ std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults&
     const auto price = [&](std::size_t i) { return results.points[i].mean.price.median; };
 
     std::size_t low = front.front();
-    if (const std::optional<double> limit = thesisError(setup, results)) {
-        const auto accurate = std::find_if(front.begin(), front.end(), [&](std::size_t i) {
-            return results.points[i].mean.errors.flip <= *limit;
-        });
-        if (accurate != front.end()) low = *accurate;
-    }
+    if (const std::optional<double> limit = thesisPrice(setup, results))
+        for (const std::size_t i : front) // errors fall along the front
+            if (price(i) <= *limit) low = i;
     const std::size_t best = front.back();
     const auto below = [&](double part) {
         const double rounding = 1.0 + 1e-9;
         const double limit = rounding * price(low) * std::pow(price(best) / price(low), part);
         std::size_t found = low;
-        for (const std::size_t i : front) // errors fall along the front
+        for (const std::size_t i : front)
             if (price(i) >= price(low) && price(i) <= limit) found = i;
         return found;
     };

@@ -1,8 +1,8 @@
 // Presets out of a trade: few settings that stand for the whole front.
 //
 // All four are points of the Pareto front of mean time against mean FLIP. `best` has the least error. `low`
-// is the cheapest that is at least as accurate as the thesis' settings, or simply the cheapest where none is
-// or the thesis was not measured. The way between their prices is cut into three equal factors: `medium` and
+// is the most accurate that costs no more than the thesis' settings, or the cheapest where the thesis was not
+// measured. The way between their prices is cut into three equal factors: `medium` and
 // `high` are the most accurate points that cost no more than the first and the second cut.
 #pragma once
 
