@@ -21,7 +21,7 @@ void main()
 
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
-    vec3 mirrored = reflectRay(-sunDirection, surface.normal);
+    vec3 mirrored = reflectRay(-sunDirection, surface.meanNormal);
     float highlight = pow(max(dot(mirrored, toEye), 1.0e-6), glowExponent); // 0 to a power is undefined in GLSL
     fragment = vec4(highlight * glowColour, 1.0);
 }

@@ -135,13 +135,13 @@ Transmitted lookupBed(vec3 refracted)
     if (seen.z < u.z) { // else the bed stands out of the wave here
 #ifdef ITERATIVE
         IntersectionState s = intersectionBegin(u, r, seen);
-        // The picture is nearly that of the ray: the first approximation is worth a look from the start.
         for (int i = 1; i < refractionSteps; ++i) {
             look = lookFlat(flatTexel(s.W.xzy - look.beside));
             s = intersectionStepSeen(s, look.point.xzy);
         }
-        hit = refractionSteps > 1 ? s.best : s.W;
-        seen = refractionSteps > 1 ? s.bestA : seen;
+        s = intersectionEnd(s);
+        hit = s.best;
+        seen = s.bestA;
 #else
         hit = planarIntersection(u, r, seen);
 #endif
@@ -213,6 +213,7 @@ vec3 lookupAir(vec3 refracted, out vec3 hit, out float share)
     if (distance(first, u) > isNear * refractionDistance) first = seenInAir(r);
     IntersectionState s = intersectionBegin(u, r, first);
     for (int i = 1; i < refractionSteps; ++i) s = intersectionStepSeen(s, seenInAir(s.W));
+    s = intersectionEnd(s);
     vec3 w = s.best;
     hit = (worldFromRefractionView * vec4(w, 1.0)).xyz;
     // The far plane holds no point, and one that is far off the ray is not what the ray meets: only the sky is left.
@@ -324,7 +325,7 @@ vec3 reflectedFrom(vec3 normal, vec3 toEye)
 // eye sees of it, as in the masked slopes of Ross et al. 2005.
 vec3 mirroredTowards(vec3 toEye, Surface surface, out float fresnel)
 {
-    fresnel = reflectance(max(dot(toEye, surface.normal), 0.0)); // E·N; a crest's far side is seen edge-on
+    fresnel = reflectance(max(dot(toEye, surface.meanNormal), 0.0)); // E·N; a crest's far side is seen edge-on
 #ifdef FACETS
 #if FACETS == 3
     const vec2 rule[3] = vec2[3](vec2(0.0, 0.6666667), vec2(1.7320508, 0.1666667), vec2(-1.7320508, 0.1666667));
@@ -334,7 +335,7 @@ vec3 mirroredTowards(vec3 toEye, Surface surface, out float fresnel)
 #endif
     float deviation = sqrt(max(surface.roughness - sunRoughness * sunRoughness, 0.0));
     if (deviation > 0.003) { // below this all facets mirror the same texel
-        vec2 slope = -surface.normal.xz / surface.normal.y;
+        vec2 slope = -surface.meanNormal.xz / surface.meanNormal.y;
         vec2 across = normalize(toEye.xz + vec2(1.0e-6, 0.0));
         vec3 sum = vec3(0.0);
         float shares = 0.0, weights = 0.0;
@@ -354,13 +355,14 @@ vec3 mirroredTowards(vec3 toEye, Surface surface, out float fresnel)
         }
     }
 #endif
-    return fresnel * reflectedRadiance(reflectedFrom(surface.normal, toEye));
+    return fresnel * reflectedRadiance(reflectedFrom(surface.meanNormal, toEye));
 }
 #endif
 
 #ifdef UNDERWATER
 void main()
 {
+    // No mean normal here: at the rim of Snell's window it would mix what no facet mirrors with what none lets through.
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
     vec3 down = -surface.normal;
@@ -387,11 +389,13 @@ void main()
 {
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
-    vec3 reflected = reflectedFrom(surface.normal, toEye);
+    vec3 reflected = reflectedFrom(surface.meanNormal, toEye);
     float fresnel;
     vec3 mirrored = mirroredTowards(toEye, surface, fresnel);
 
 #ifdef REFRACTION
+    // What is mirrored is a mean over the pixel's facets. What is seen through them is that of the facet in its middle: one
+    // of those that make up the mean, where a ray through a surface of the mean normal is none of them.
     Transmitted transmitted = lookupBed(refractRay(-toEye, surface.normal, 1.0 / ior));
     vec3 below = transmitted.radiance;
     vec3 hit = transmitted.hitW;
@@ -404,7 +408,7 @@ void main()
     vec3 radiance = mirrored + radianceThroughSurface(1.0 - fresnel, ior) * below;
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
     float glintFresnel = reflectance(max(dot(toEye, normalize(toEye + sunDirection)), 0.0));
-    radiance += sunGlint(sunIrradiance, glintFresnel, surface.normal, toEye, sunDirection, surface.roughness);
+    radiance += sunGlint(sunIrradiance, glintFresnel, surface.meanNormal, toEye, sunDirection, surface.roughness);
 #endif
 
 #ifdef WATERLINE
@@ -425,7 +429,11 @@ void main()
 #elif DEBUG_VIEW == 3
     fragment = vec4(hit, 1.0);
 #elif DEBUG_VIEW == 4
+#ifdef UNDERWATER
     fragment = vec4(surface.normal, 1.0);
+#else
+    fragment = vec4(surface.meanNormal, 1.0);
+#endif
 #elif DEBUG_VIEW == 5
     fragment = vec4(surfaceW, 1.0);
 #elif DEBUG_VIEW == 6

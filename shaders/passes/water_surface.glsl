@@ -8,25 +8,16 @@ in vec2 vertexSlope;
 vec3 surfaceW; // U: on the waves themselves after surfaceHere()
 
 struct Surface {
-    vec3 normal;     // N, up
-    float roughness; // slope variance of the waves that a pixel cannot show
+    vec3 normal;     // N, up: of all waves, at U
+    vec3 meanNormal; // of the waves that a pixel can show: about it lie the facets that mirror into the pixel
+    float roughness; // slope variance of the others
 };
-
-// How much of a wave a pixel shows that spans these two vectors of the surface: short crests must fade before they alias.
-float shownOf(WaveTerm w, vec2 across, vec2 along)
-{
-#ifdef FILTER_WAVES
-    return waveFilter(w, length(vec2(dot(w.k, across), dot(w.k, along))) / max(w.wavenumber, 1.0e-6));
-#else
-    return 1.0;
-#endif
-}
 
 #if SURFACE_STEPS > 0
 // Newton's method along the eye's ray, from the triangle to the waves that it stands for. Never faster than twice the
 // step to a level plane, for the slope says nothing where a ray grazes a crest; and never further than a quarter of the
 // way to the eye, so that it stays on the side of the surface on which the triangle is drawn.
-void moveToWaves(vec2 across, vec2 along)
+void moveToWaves()
 {
     float far = distance(drawnW, eye);
     vec3 direction = (drawnW - eye) / far;
@@ -35,8 +26,7 @@ void moveToWaves(vec2 across, vec2 along)
     float moved = 0.0;
     for (int step = 0; step < SURFACE_STEPS; ++step) {
         vec3 sum = vec3(0.0); // height and slope
-        for (int i = 0; i < int(waveCount); ++i)
-            sum += shownOf(waves[i], across, along) * waveTerm(waves[i], surfaceW.xz, time);
+        for (int i = 0; i < int(waveCount); ++i) sum += waveTerm(waves[i], surfaceW.xz, time);
         float gap = surfaceW.y - waterLevel - sum.x;
         float rate = side * (direction.y - dot(sum.yz, direction.xz));
         moved = clamp(moved - side * gap / max(rate, least), -0.25 * far, 0.25 * far);
@@ -50,24 +40,33 @@ Surface surfaceHere()
     Surface s;
     surfaceW = drawnW;
     s.roughness = sunRoughness * sunRoughness;
-    vec2 across = dFdx(drawnW.xz);
-    vec2 along = dFdy(drawnW.xz);
 #if SURFACE_STEPS > 0
-    moveToWaves(across, along);
+    moveToWaves();
 #endif
 #ifdef VERTEX_NORMALS
     s.normal = waveNormal(vertexSlope);
+    s.meanNormal = s.normal;
 #else
-    vec2 slope = vec2(0.0);
+    // A wave fades, before it aliases, by how much of it lies between two pixels.
+    vec2 across = dFdx(drawnW.xz);
+    vec2 along = dFdy(drawnW.xz);
+    vec2 slope = vec2(0.0), meanSlope = vec2(0.0);
     for (int i = 0; i < int(waveCount); ++i) {
         WaveTerm w = waves[i];
-        float weight = shownOf(w, across, along);
+        vec2 termSlope = waveTerm(w, surfaceW.xz, time).yz;
+        slope += termSlope;
 #ifdef FILTER_WAVES
+        float footprint = length(vec2(dot(w.k, across), dot(w.k, along))) / max(w.wavenumber, 1.0e-6);
+        float weight = waveFilter(w, footprint);
         s.roughness += 0.5 * waveLostVariance(w, weight);
+        meanSlope += weight * termSlope;
 #endif
-        slope += weight * waveTerm(w, surfaceW.xz, time).yz;
     }
     s.normal = waveNormal(slope);
+    s.meanNormal = s.normal;
+#ifdef FILTER_WAVES
+    s.meanNormal = waveNormal(meanSlope);
+#endif
 #endif
     return s;
 }

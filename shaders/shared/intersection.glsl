@@ -10,7 +10,8 @@
 //     use s.best (its pixel's colour), s.bestA (|bestA - U| is eq. 4's path), s.bestDistance
 //
 // The count is the paper's: n steps look n times, at W0 = U, W1, ... W(n-1), and the W with the least |A - W| wins.
-// s.W is the one that a further step would have tried.
+// s.W is the one that a further step would have tried. Nothing is printed of it, and the thesis' cameras leave it; but it
+// is as good as a look for nothing, and intersectionEnd takes it where a camera is ours.
 //
 // Differences from the text (its eq. 3 is right; what follows are the listings of 7.1 and 9.1):
 // - 7.1 calls RayIntersec(W_i, U, A_{i+1} - A_i, R). Its first line then starts at W_i, a point of p, and runs along
@@ -136,4 +137,16 @@ SHARED IntersectionState intersectionStepSeen(IntersectionState last, vec3 A)
 SHARED IntersectionState intersectionStep(IntersectionState last, float viewZ)
 {
     return intersectionStepSeen(last, seenThrough(last.W, viewZ));
+}
+
+// After the last look: what a further step would have tried becomes the best where it continues the best, that is, where
+// the bed's line has met p within twice of what was left to go. What is further off is the line across some edge. After a
+// single look this is the planar approximation.
+SHARED IntersectionState intersectionEnd(IntersectionState last)
+{
+    IntersectionState state = last;
+    if (length(last.W - last.best) > 2.0 * last.bestDistance) return state;
+    state.best = last.W;
+    state.bestA = last.W;
+    return state;
 }

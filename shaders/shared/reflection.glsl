@@ -17,7 +17,7 @@ struct MirrorChoice {
     vec3 up;
     vec3 best;       // the W whose A lies nearest to the ray's direction
     vec3 bestThing;  // the same without the sky
-    float least;     // 1 - cosine of the angle between A - U and R, of best
+    float least;     // squared chord between the directions A - U and R, of best
     float leastThing;
     bool isBlocked;  // a thing was seen to stand higher than the ray goes
 };
@@ -30,8 +30,8 @@ SHARED MirrorChoice mirrorBegin(vec3 U, vec3 R, vec3 up)
     choice.up = up;
     choice.best = U;
     choice.bestThing = U;
-    choice.least = 4.0; // more than any angle has
-    choice.leastThing = 4.0;
+    choice.least = 8.0; // more than any has
+    choice.leastThing = 8.0;
     choice.isBlocked = false;
     return choice;
 }
@@ -40,7 +40,8 @@ SHARED MirrorChoice mirrorConsider(MirrorChoice last, vec3 W, vec3 A, bool isSky
 {
     MirrorChoice choice = last;
     vec3 way = normalize(A - last.U);
-    float miss = 1.0 - dot(way, last.R);
+    vec3 beside = way - last.R; // 1 - cosine would be rounding error alone for all small angles
+    float miss = dot(beside, beside);
     if (miss < last.least) {
         choice.least = miss;
         choice.best = W;

@@ -46,7 +46,7 @@ void visit(FieldVisitor& v, WaterOptions& o)
     v.choice({"normals", "Where the wave normals are worked out; per vertex is as published"}, o.normals,
              waterNormalsNames);
     v.field(
-        {"filter_waves", "Fade waves that are shorter than a pixel into the roughness of the sun's glint"},
+        {"filter_waves", "Fade waves that are shorter than a pixel into the roughness of what is mirrored"},
         o.filterWaves);
     v.choice({"fresnel", "Reflectance seen from above: exact, or by Schlick's formula as published"}, o.fresnel,
              fresnelNames);

@@ -76,12 +76,13 @@ dvec3 TargetPicture::search(const dvec3& U, const dvec3& direction, int steps, b
         dvec3 a = seen(u);
         dvec3 hit = u;
         if (a.z < u.z) {
-            if (planar || steps < 2) {
+            if (planar) {
                 hit = optics64::planarIntersection(u, r, a);
             } else {
                 auto state = optics64::intersectionBegin(u, r, a);
                 for (int i = 1; i < steps; ++i)
                     state = optics64::intersectionStepSeen(state, seen(state.W));
+                state = optics64::intersectionEnd(state);
                 hit = state.best;
                 a = state.bestA;
             }

@@ -318,4 +318,46 @@ TEST(FramePositions, NewtonsMethodLeavesTheTrianglesForTheWaves)
     EXPECT_LT(worst[2], 1e-5);
 }
 
+// What the surface mirrors is a mean over the waves of a pixel; what is seen through it is one ray's all the same.
+TEST(FramePositions, TheFilterFadesOnlyWhatIsMirrored)
+{
+    Scene scene = flatLake(depth);
+    Wave wave;
+    wave.amplitude = 0.002f;
+    wave.wavelength = 0.12f;
+    wave.direction = 30.0f;
+    scene.water.waves = {wave};
+    const Camera camera = lookAlong(-15.0f, 2.0f); // a pixel covers up to metres
+    Options options;
+    options.frame.msaa = 1;
+    Studio studio(scene, options);
+    const auto both = [&](DebugView view) {
+        std::array<Image, 2> pictures;
+        for (const bool filters : {false, true}) {
+            options.water.filterWaves = filters;
+            studio.setOptions(options, scene.water);
+            pictures[filters ? 1 : 0] = studio.linear(camera, pictureSize, 0.3, view);
+        }
+        return pictures;
+    };
+    for (const DebugView view : {DebugView::positionU, DebugView::positionW}) {
+        const auto points = both(view);
+        float worst = 0.0f;
+        for (int y = pictureSize.y / 2; y < pictureSize.y; ++y)
+            for (int x = 0; x < pictureSize.x; ++x)
+                worst = std::max(worst, glm::distance(pixel(points[0], x, y), pixel(points[1], x, y)));
+        EXPECT_LT(worst, 1e-5f) << static_cast<int>(view);
+    }
+    const auto normals = both(DebugView::normals);
+    const auto tilt = [](const Image& image) {
+        double sum = 0.0;
+        for (int y = pictureSize.y / 2; y < pictureSize.y; ++y)
+            for (int x = 0; x < pictureSize.x; ++x)
+                sum += glm::length(vec2(pixel(image, x, y).x, pixel(image, x, y).z));
+        return sum;
+    };
+    EXPECT_GT(tilt(normals[0]), 0.0);
+    EXPECT_LT(tilt(normals[1]), 0.5 * tilt(normals[0]));
+}
+
 } // namespace tarn::test

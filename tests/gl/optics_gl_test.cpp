@@ -373,6 +373,8 @@ TEST_F(OpticsGl, Intersection)
     };
     const std::string first = "vec4(" + begin + ".W, " + begin + ".bestDistance)";
     const std::string next = "vec4(" + step + ".W, " + step + ".s)";
+    const std::string end = "intersectionEnd(" + step + ")";
+    const std::string ended = "vec4(" + end + ".best, length(" + end + ".bestA - " + end + ".best))";
     const std::string best = "vec4(" + step + ".best, " + step + ".bestDistance)";
     auto leapt = [u, r](const Inputs& i) {
         return intersectionStep(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f)), -60.0f - i.c.w);
@@ -402,6 +404,12 @@ TEST_F(OpticsGl, Intersection)
          [second](const Inputs& i) { return wide(second(i).W, second(i).s); }, 1e-3f},
         {"best", best.c_str(),
          [second](const Inputs& i) { return wide(second(i).best, second(i).bestDistance); }, 1e-5f},
+        {"intersectionEnd", ended.c_str(),
+         [second](const Inputs& i) {
+             const auto s = intersectionEnd(second(i));
+             return wide(s.best, glm::length(s.bestA - s.best));
+         },
+         1e-3f},
         // A bed far behind W, then one far in front: no intersection between them, so the step by the gap
         // and, where that would leave the interval, the half of it.
         {"step by the gap", leap.c_str(), [leapt](const Inputs& i) { return wide(leapt(i).W, leapt(i).s); },

@@ -108,7 +108,7 @@ Viewer refractionViewer(const Lake& lake, const Viewer& main)
 }
 
 /// One error per pixel after `looks` looks at the depth; looks = 0: the planar approximation.
-Errors run(const Lake& lake, int looks)
+Errors run(const Lake& lake, int looks, bool takesLast = false)
 {
     const double a = lake.incidence * degree;
     Viewer main;
@@ -150,6 +150,7 @@ Errors run(const Lake& lake, int looks)
             auto state = optics64::intersectionBegin(u, r, first);
             for (int i = 1; i < looks; ++i)
                 state = optics64::intersectionStep(state, depth(state.W));
+            if (takesLast) state = optics64::intersectionEnd(state);
             w = state.best;
         }
         errors.metres.push_back(glm::length(w - truth));
@@ -273,6 +274,26 @@ TEST(IntersectionSearch, BowlUnderWavesConvergesFast)
             EXPECT_LT(after5.metres.back(), 0.001) << incidence;
             EXPECT_LT(after4, 0.2 * after3) << incidence;
         }
+}
+
+/// The proposal after the last look is worth that look on a smooth bed, and does no harm at edges.
+TEST(IntersectionSearch, TheLastProposalIsWorthALook)
+{
+    for (bool turned : {false, true})
+        for (double incidence : {15.0, 30.0, 60.0, 75.0}) {
+            EXPECT_LT(run({flat, threeWaves(), incidence, turned}, 2, true).metres.back(), 1e-8) << incidence;
+            const Lake smooth{bowl, threeWaves(), incidence, turned};
+            for (int looks : {2, 3, 4})
+                EXPECT_LE(run(smooth, looks, true).metresAt(0.5), 1.05 * run(smooth, looks + 1).metresAt(0.5))
+                    << incidence << ' ' << looks;
+            const Lake broken{brokenBowl, threeWaves(), incidence, turned};
+            for (int looks : {2, 3, 4, 8})
+                EXPECT_LE(run(broken, looks, true).shareOver(0.05), run(broken, looks).shareOver(0.05) + 0.005)
+                    << incidence << ' ' << looks;
+        }
+    // After one look it is the planar approximation.
+    const Lake lake{bowl, threeWaves(), 60.0, true};
+    EXPECT_NEAR(run(lake, 1, true).metresAt(0.5), run(lake, 0).metresAt(0.5), 1e-12);
 }
 
 /// What discontinuities leave: a small tail that steps do not cure, while the median is long since right.
