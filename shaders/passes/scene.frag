@@ -47,6 +47,7 @@ uniform vec3 transmission; // of a thin leaf, as a share of its reflectance
 #ifdef ALPHA_TEST
 uniform float alpha;
 uniform float alphaCutoff;
+#include "passes/cut_out.glsl"
 #endif
 
 #ifdef WATERLINE
@@ -164,20 +165,13 @@ void main()
 
     float coverage = 1.0;
 #ifdef ALPHA_TEST
-    coverage = alpha;
-#ifdef DIFFUSE_MAP
-    coverage *= texel.a;
-#endif
-#ifdef ALPHA_MAP
-    coverage *= texture(alphaMap, uv).r;
-#endif
 #ifdef ALPHA_TO_COVERAGE
     // A ramp one pixel wide about the cutoff, so that the samples draw the edge (no half-transparent leaves).
+    coverage = alpha * alphaOfMaps(uv);
     coverage = clamp((coverage - alphaCutoff) / max(fwidth(coverage), 1.0e-4) + 0.5, 0.0, 1.0);
     if (coverage <= 0.0) discard;
 #else
-    if (coverage < alphaCutoff) discard;
-    coverage = 1.0;
+    if (isCutAway(uv)) discard;
 #endif
 #endif
 

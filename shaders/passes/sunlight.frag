@@ -9,18 +9,12 @@ uniform sampler2D alphaMap;
 #endif
 uniform float alpha;
 uniform float alphaCutoff;
+#include "passes/cut_out.glsl"
 #endif
 
 void main()
 {
 #ifdef ALPHA_TEST
-    float coverage = alpha;
-#ifdef DIFFUSE_MAP
-    coverage *= texture(diffuseMap, uv).a;
-#endif
-#ifdef ALPHA_MAP
-    coverage *= texture(alphaMap, uv).r;
-#endif
-    if (coverage < alphaCutoff) discard;
+    if (isCutAway(uv)) discard;
 #endif
 }

@@ -26,7 +26,7 @@ struct Level {
     }
 };
 
-Level decoded(const Image& image, const CutOut& cutOut)
+Level decoded(const Image& image, const CutOut& cutOut, CutOutLevels kind)
 {
     std::array<float, 256> colour{};
     for (std::size_t i = 0; i < colour.size(); ++i)
@@ -34,7 +34,9 @@ Level decoded(const Image& image, const CutOut& cutOut)
     Level level{image.width, image.height, image.channels, std::vector<float>(image.bytes.size())};
     for (std::size_t i = 0; i < image.bytes.size(); ++i) {
         const bool isAlpha = static_cast<int>(i % static_cast<std::size_t>(image.channels)) == cutOut.channel;
-        level.values[i] = isAlpha ? static_cast<float>(image.bytes[i]) / 255.0f : colour[image.bytes[i]];
+        float& value = level.values[i];
+        value = isAlpha ? static_cast<float>(image.bytes[i]) / 255.0f : colour[image.bytes[i]];
+        if (isAlpha && kind == CutOutLevels::shares) value = value >= cutOut.cutoff ? 1.0f : 0.0f;
     }
     return level;
 }
@@ -132,16 +134,17 @@ double coverageOf(const Image& image, const CutOut& cutOut)
     return count > 0 ? static_cast<double>(there) / static_cast<double>(count) : 0.0;
 }
 
-std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut)
+std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut, CutOutLevels kind)
 {
     if (image.isFloat() || cutOut.channel < 0 || cutOut.channel >= image.channels)
         throw Error("{}: no 8-bit alpha to cut out by", image.name);
     const double coverage = coverageOf(image, cutOut);
     std::vector<Image> levels;
-    Level level = decoded(image, cutOut);
+    Level level = decoded(image, cutOut, kind);
     while (level.width > 1 || level.height > 1) {
         level = halved(level, cutOut.channel);
-        levels.push_back(encoded(level, cutOut, scaleFor(level, cutOut, coverage), image.name));
+        const double scale = kind == CutOutLevels::covering ? scaleFor(level, cutOut, coverage) : 1.0;
+        levels.push_back(encoded(level, cutOut, scale, image.name));
     }
     return levels;
 }

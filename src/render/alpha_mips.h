@@ -14,15 +14,21 @@ struct CutOut {
     bool isSrgb = true;   ///< colours are encoded; alpha never is
 };
 
+/// What alpha means below the picture itself.
+enum class CutOutLevels {
+    /// For one test against the cutoff. Averaged alpha crosses it elsewhere than the shape it stands for: thin things
+    /// vanish with the distance. So alpha is scaled, level by level, until as large a share of the texels is over the
+    /// cutoff as in the picture (Castaño 2010, "Computing alpha mipmaps").
+    covering,
+    /// The share of each texel that is there, 0 to 1: for tests against many limits.
+    shares,
+};
+
 /// The levels below the picture itself, the largest first, the last of 1 x 1: each half as wide and high as the one
-/// before, rounded down.
-///
-/// Averaged alpha crosses the cutoff elsewhere than the shape it stands for: thin things vanish with the distance. Here
-/// alpha is scaled, level by level, until as large a share of the texels is over the cutoff as in the picture (Castaño
-/// 2010, "Computing alpha mipmaps"). Colours are means weighted by alpha, so that what is cut away does not bleed in.
+/// before, rounded down. Colours are means weighted by alpha, so that what is cut away does not bleed in.
 ///
 /// Needs bytes; throws Error for a picture of floats or without the channel.
-std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut);
+std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut, CutOutLevels levels);
 
 /// Share of the texels that are there, 0 to 1.
 double coverageOf(const Image& image, const CutOut& cutOut);

@@ -10,10 +10,10 @@
 namespace tarn {
 
 GpuScene::GpuScene(const Scene& scene, float anisotropy, Progress* progress)
-    : scene_(scene), instances_(flatten(scene)), chunks_(listChunks(scene, instances_)), sky_(scene)
+    : scene_(scene), instances_(flatten(scene)), chunks_(listChunks(scene, instances_)), sky_(scene), anisotropy_(anisotropy)
 {
     uploadMeshes();
-    uploadTextures(anisotropy, progress);
+    uploadTextures(progress);
     bakeSky();
 }
 
@@ -38,7 +38,7 @@ void GpuScene::uploadMeshes()
     }
 }
 
-void GpuScene::uploadTextures(float anisotropy, Progress* progress)
+void GpuScene::uploadTextures(Progress* progress)
 {
     std::vector<std::pair<int, MapUse>> wanted;
     const auto want = [&wanted](int image, MapUse use) {
@@ -55,7 +55,8 @@ void GpuScene::uploadTextures(float anisotropy, Progress* progress)
         if (progress)
             progress->report(static_cast<double>(i) / static_cast<double>(wanted.size()),
                              "uploading " + scene_.images[static_cast<std::size_t>(image)].name);
-        if (!textures_.contains(wanted[i])) uploadTexture(image, use, anisotropy);
+        if (!textures_.contains(wanted[i]))
+            textures_.emplace(wanted[i], uploaded(image, use, CutOutLevels::covering));
     }
 }
 
@@ -97,14 +98,14 @@ std::optional<CutOut> cutOutOf(const Scene& scene, int index, bool isColour)
 
 } // namespace
 
-void GpuScene::uploadTexture(int index, MapUse use, float anisotropy)
+gl::Texture GpuScene::uploaded(int index, MapUse use, CutOutLevels levels) const
 {
     const Image& image = scene_.images[static_cast<std::size_t>(index)];
     gl::TextureDesc desc;
     desc.size = {image.width, image.height};
     desc.mipmaps = true;
     desc.wrap = gl::Wrap::repeat;
-    desc.anisotropy = anisotropy;
+    desc.anisotropy = anisotropy_;
     if (image.isFloat()) desc.format = gl::Format::rgba16f;
     else desc.format = use == MapUse::colour ? gl::Format::srgb8a8 : gl::Format::rgba8;
 
@@ -119,19 +120,34 @@ void GpuScene::uploadTexture(int index, MapUse use, float anisotropy)
     }
     if (const std::optional<CutOut> cutOut = cutOutOf(scene_, index, use == MapUse::colour)) {
         int level = 0;
-        for (const Image& small : cutOutMips(image, *cutOut)) {
+        for (const Image& small : cutOutMips(image, *cutOut, levels)) {
             const auto rows = bottomUp(small.bytes, small.width, small.height, small.channels);
             texture.upload(std::span<const std::uint8_t>(small.channels == 1 ? spreadGrey(rows) : rows), channels, 0, ++level);
         }
     } else {
         texture.generateMipmaps();
     }
-    textures_.emplace(std::pair{index, use}, std::move(texture));
+    return texture;
 }
 
 void GpuScene::setAnisotropy(float anisotropy)
 {
-    for (auto& [key, texture] : textures_) texture.setAnisotropy(anisotropy);
+    anisotropy_ = anisotropy;
+    for (auto* textures : {&textures_, &shares_})
+        for (auto& [key, texture] : *textures) texture.setAnisotropy(anisotropy);
+}
+
+void GpuScene::wantShares()
+{
+    for (const auto& [key, texture] : textures_)
+        if (!shares_.contains(key) && cutOutOf(scene_, key.first, key.second == MapUse::colour))
+            shares_.emplace(key, uploaded(key.first, key.second, CutOutLevels::shares));
+}
+
+const gl::Texture& GpuScene::shares(int image, MapUse use) const
+{
+    const auto found = shares_.find({image, use});
+    return found != shares_.end() ? found->second : texture(image, use);
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include "gl/buffer.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
+#include "render/alpha_mips.h"
 #include "render/visibility.h"
 #include "scene/scene.h"
 #include "scene/sky.h"
@@ -30,13 +31,17 @@ public:
     /// How a map's values are meant: colours are sRGB-encoded, the rest is linear.
     enum class MapUse { colour, data };
     const gl::Texture& texture(int image, MapUse use) const { return textures_.at({image, use}); }
+    /// The same; a cut-out's smaller levels hold shares (render/alpha_mips.h). Only after wantShares().
+    const gl::Texture& shares(int image, MapUse use) const;
+    /// Uploads what shares() gives, once.
+    void wantShares();
 
     void setAnisotropy(float anisotropy);
 
 private:
     void uploadMeshes();
-    void uploadTextures(float anisotropy, Progress* progress);
-    void uploadTexture(int image, MapUse use, float anisotropy);
+    void uploadTextures(Progress* progress);
+    gl::Texture uploaded(int image, MapUse use, CutOutLevels levels) const;
     void bakeSky();
 
     struct GpuMesh {
@@ -49,7 +54,10 @@ private:
     std::vector<Chunk> chunks_;
     SkyModel sky_;
     std::vector<GpuMesh> meshes_;
-    std::map<std::pair<int, MapUse>, gl::Texture> textures_;
+    using TextureKey = std::pair<int, MapUse>;
+    std::map<TextureKey, gl::Texture> textures_;
+    std::map<TextureKey, gl::Texture> shares_; ///< of cut-outs; empty until they are wanted
+    float anisotropy_;
     gl::Texture skyMap_;
 };
 

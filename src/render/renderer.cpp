@@ -71,6 +71,13 @@ std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
     return std::make_unique<gl::ShaderLibrary>(projectRoot() / "shaders", shaderBindings());
 }
 
+namespace {
+
+/// Foliage by chance of its share of a pixel is right in the mean of several pixels, and noise where one must do.
+bool ditherCutOuts(const FrameOptions& options) { return options.supersampling > 1; }
+
+} // namespace
+
 struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
         : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, anisotropyFor(o.frame), progress),
@@ -168,9 +175,10 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
         lit.shadows &&
         sunVolume(scene.water, state_->bounds, scene.sun->direction, options.sunlight).cascades.size() > 1;
     lit.caustics = sunlit && watery && options.caustics.enabled;
+    lit.dithersCutOuts = ditherCutOuts(options.frame);
     PaintStyle main = lit;
     main.sunDisc = true;
-    main.alphaToCoverage = options.frame.msaa > 1;
+    main.alphaToCoverage = options.frame.msaa > 1 && !lit.dithersCutOuts;
     state_->painter.prepare(main, false);
     if (watery) state_->painter.prepare(lit, true);
     state_->bedEdge = coarseEdgeUnderWater(scene, scene.water);
@@ -192,6 +200,7 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
         bedEdge = coarseEdgeUnderWater(scene, body);
     options = wanted;
     water = body;
+    if (ditherCutOuts(options.frame)) gpuScene.wantShares();
     if (options.refraction.camera != RefractionOptions::CameraMode::flat || bedEdge <= longestBedEdge) return;
     options.refraction.camera = RefractionOptions::CameraMode::snell;
     if (!std::exchange(saidCoarse, true))
@@ -252,6 +261,7 @@ void Renderer::State::beginSunlight(const FrameInput& input)
     region = causticsRegion(water, input.camera, options.caustics);
     sunBlock.update(tarn::sunBlock(volume, region, options));
     lit = PaintStyle{};
+    lit.dithersCutOuts = ditherCutOuts(options.frame);
     lit.shadows = stats.plan[PassId::sunlight].wanted && options.sunlight.shadows;
     lit.distantShadows = lit.shadows && volume.cascades.size() > 1;
     lit.caustics = stats.plan[PassId::caustics].wanted;
@@ -261,13 +271,13 @@ void Renderer::State::drawSunlight()
 {
     gl::PassScope scope(profiler, passName(PassId::sunlight));
     FrameStats::Pass& pass = stats.passes.emplace_back(FrameStats::Pass{passName(PassId::sunlight), 0, 0});
-    const SunlightPass::Inputs inputs{volume, light.sunDirection, light.sunDirectionBelow, water.level,
-                                      light.hasWater > 0.5f};
+    const SunlightPass::Inputs inputs{volume,      light.sunDirection, light.sunDirectionBelow,
+                                      water.level, lit.dithersCutOuts, light.hasWater > 0.5f};
     if (sunlight.isStale(inputs, options.sunlight)) {
         const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
             const View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
             viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
-            sunlight.draw(layer, cascade, view, painter, options.sunlight, options.frame.cullChunks, pass);
+            sunlight.draw(layer, cascade, view, painter, inputs, options.sunlight, options.frame.cullChunks, pass);
         };
         for (std::size_t cascade = 0; cascade < volume.cascades.size(); ++cascade)
             draw(SunLayer::afloat, cascade, inputs.toSun);
@@ -382,7 +392,8 @@ void Renderer::State::drawScene(const FrameInput& input)
     ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.frame.cullChunks};
     inputs.style.underwaterEye = isBelow;
     inputs.style.sunDisc = !isBelow;
-    inputs.style.alphaToCoverage = frame.isMultisampled();
+    if (raw) inputs.style.dithersCutOuts = false; // no mean is taken
+    inputs.style.alphaToCoverage = frame.isMultisampled() && !inputs.style.dithersCutOuts;
     inputs.style.debugNormals = input.view == DebugView::normals;
     inputs.style.sky = !raw;
     if (stats.plan[PassId::water].wanted && stats.plan.side == WaterSide::above &&

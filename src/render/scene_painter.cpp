@@ -28,6 +28,7 @@ enum Feature : unsigned {
     inWater = 1u << 18,
     flatWater = 1u << 19,
     distantShadows = 1u << 20,
+    dithered = 1u << 21,
 };
 
 struct FeatureName {
@@ -41,10 +42,11 @@ constexpr FeatureName featureNames[] = {
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
     {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
     {waterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"},
-    {flatWater, "FLAT_WATER"},      {distantShadows, "DISTANT_SHADOWS"}};
+    {flatWater, "FLAT_WATER"},      {distantShadows, "DISTANT_SHADOWS"},
+    {dithered, "DITHERED"}};
 
 /// What decides whether a surface is there at all.
-constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane;
+constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane | dithered;
 
 gl::Defines definesOf(unsigned features)
 {
@@ -104,6 +106,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.waterline) bits |= waterline;
     if (style.throughFlatWater) bits |= flatWater;
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
+    if (style.dithersCutOuts && (bits & alphaTest) && (bits & (diffuseMap | alphaMap))) bits |= dithered;
     if (style.debugNormals) bits |= debugNormals;
     if (style.shadows) bits |= shadows;
     if (style.distantShadows && !(bits & inWater)) bits |= distantShadows;
@@ -142,7 +145,7 @@ void ScenePainter::prepare(const PaintStyle& style, bool clips)
     skyProgram(style);
 }
 
-void ScenePainter::setMaterial(gl::Program& program, const Material& material) const
+void ScenePainter::setMaterial(gl::Program& program, const Material& material, bool dithers) const
 {
     using MapUse = GpuScene::MapUse;
     program.set("diffuseReflectance", material.diffuse);
@@ -156,14 +159,15 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material) c
         program.set("alpha", material.alpha);
         program.set("alphaCutoff", material.alphaCutoff);
     }
-    if (material.diffuseMap != noImage)
-        program.texture("diffuseMap", scene_.texture(material.diffuseMap, MapUse::colour));
+    const auto map = [&](int image, MapUse use) -> const gl::Texture& {
+        return dithers && material.alphaTested ? scene_.shares(image, use) : scene_.texture(image, use);
+    };
+    if (material.diffuseMap != noImage) program.texture("diffuseMap", map(material.diffuseMap, MapUse::colour));
     if (material.normalMap != noImage)
         program.texture("normalMap", scene_.texture(material.normalMap, MapUse::data));
     if (material.emissiveMap != noImage)
         program.texture("emissiveMap", scene_.texture(material.emissiveMap, MapUse::colour));
-    if (material.alphaMap != noImage)
-        program.texture("alphaMap", scene_.texture(material.alphaMap, MapUse::data));
+    if (material.alphaMap != noImage) program.texture("alphaMap", map(material.alphaMap, MapUse::data));
 }
 
 void ScenePainter::draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
@@ -209,12 +213,14 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
             }
             if (style.caustics && !(bits & inAir)) program.texture("causticsMap", *sunMaps_.caustics);
         }
-        if (newProgram || chunk->material != lastMaterial) setMaterial(program, material);
+        if (newProgram || chunk->material != lastMaterial) setMaterial(program, material, style.dithersCutOuts);
         if (newProgram || chunk->instance != lastInstance) {
             const auto i = static_cast<std::size_t>(chunk->instance);
             program.set("worldFromModel", scene_.instances()[i].worldFromModel);
             program.set("worldFromModelNormal", worldFromModelNormal_[i]);
         }
+        if (style.dithersCutOuts && material.alphaTested)
+            program.set("chunk", static_cast<int>(chunk - scene_.chunks().data()));
         lastProgram = &program;
         lastMaterial = chunk->material;
         lastInstance = chunk->instance;

@@ -17,6 +17,7 @@ struct PaintStyle {
     const gl::Texture* waterline = nullptr; ///< or only where this says so, pixel by pixel (passes/waterline.h)
     bool sunDisc = false;         ///< the sky shows the sun itself
     bool alphaToCoverage = false; ///< the target has several samples: foliage edges use them
+    bool dithersCutOuts = false;  ///< foliage is there by chance of its share of a pixel: pixels' means are what counts
     bool debugNormals = false;    ///< world-space normals in place of radiance
     bool shadows = false;         ///< sunlight is looked up in the shadow maps
     bool distantShadows = false;  ///< in those beyond the first, too
@@ -57,7 +58,7 @@ private:
     unsigned features(const Chunk& chunk) const;
     gl::Program& sceneProgram(unsigned features, const PaintStyle& style, bool clips);
     gl::Program& skyProgram(const PaintStyle& style);
-    void setMaterial(gl::Program& program, const Material& material) const;
+    void setMaterial(gl::Program& program, const Material& material, bool dithers) const;
     void drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
                     FrameStats::Pass& stats);
     void drawSky(const PaintStyle& style);

@@ -45,7 +45,7 @@ TEST(AlphaMips, EachLevelCoversAsMuchAsThePicture)
         const double wanted = coverageOf(image, cutOut);
         ASSERT_GT(wanted, 0.1);
         ASSERT_LT(wanted, 0.5);
-        for (const Image& level : cutOutMips(image, cutOut)) {
+        for (const Image& level : cutOutMips(image, cutOut, CutOutLevels::covering)) {
             const double texel = 1.0 / (level.width * level.height);
             // Texels of one value come and go together.
             EXPECT_NEAR(coverageOf(level, cutOut), wanted, 0.01 + texel) << level.width << "x" << level.height;
@@ -59,14 +59,14 @@ TEST(AlphaMips, PlainMeansWouldLoseThinThings)
     const Image image = cutOutPicture(256, 256, thinStripes);
     CutOut never;
     never.cutoff = 0.0f; // everything is there: no scaling
-    const Image plain = cutOutMips(image, never)[3];
+    const Image plain = cutOutMips(image, never, CutOutLevels::covering)[3];
     EXPECT_EQ(coverageOf(plain, CutOut{}), 0.0);
-    EXPECT_GT(coverageOf(cutOutMips(image, CutOut{})[3], CutOut{}), 0.1);
+    EXPECT_GT(coverageOf(cutOutMips(image, CutOut{}, CutOutLevels::covering)[3], CutOut{}), 0.1);
 }
 
 TEST(AlphaMips, WhatIsCutAwayDoesNotColourTheRest)
 {
-    for (const Image& level : cutOutMips(cutOutPicture(128, 128, thinStripes), CutOut{})) {
+    for (const Image& level : cutOutMips(cutOutPicture(128, 128, thinStripes), CutOut{}, CutOutLevels::covering)) {
         for (std::size_t i = 0; i < level.bytes.size(); i += 4) {
             if (level.bytes[i + 3] < 128) continue;
             EXPECT_NEAR(level.bytes[i], 20, 2);
@@ -77,27 +77,47 @@ TEST(AlphaMips, WhatIsCutAwayDoesNotColourTheRest)
 
 TEST(AlphaMips, LevelsHalveDownToOneTexel)
 {
-    const std::vector<Image> levels = cutOutMips(cutOutPicture(100, 60, blobs), CutOut{});
+    const std::vector<Image> levels = cutOutMips(cutOutPicture(100, 60, blobs), CutOut{}, CutOutLevels::covering);
     ASSERT_EQ(levels.size(), 6u);
     EXPECT_EQ(levels[0].width, 50);
     EXPECT_EQ(levels[1].height, 15);
     EXPECT_EQ(levels[2].height, 7);
     EXPECT_EQ(levels.back().width, 1);
     EXPECT_EQ(levels.back().height, 1);
-    EXPECT_TRUE(cutOutMips(cutOutPicture(1, 1, blobs), CutOut{}).empty());
+    EXPECT_TRUE(cutOutMips(cutOutPicture(1, 1, blobs), CutOut{}, CutOutLevels::covering).empty());
 }
 
 TEST(AlphaMips, OpaqueAndEmptyPicturesStayWhatTheyAre)
 {
     for (const double alpha : {0.0, 1.0})
-        for (const Image& level : cutOutMips(cutOutPicture(64, 32, [=](double, double) { return alpha; }), CutOut{}))
+        for (const Image& level : cutOutMips(cutOutPicture(64, 32, [=](double, double) { return alpha; }), CutOut{}, CutOutLevels::covering))
             EXPECT_EQ(coverageOf(level, CutOut{}), alpha);
 }
 
 TEST(AlphaMips, APictureWithoutAlphaIsRefused)
 {
     Image image{"rock.jpg", 2, 2, 3, std::vector<std::uint8_t>(12), {}};
-    EXPECT_THROW(cutOutMips(image, CutOut{}), Error);
+    EXPECT_THROW(cutOutMips(image, CutOut{}, CutOutLevels::covering), Error);
+}
+
+TEST(AlphaMips, SharesKeepTheirMeanAndStartAtTheCutoff)
+{
+    for (const auto& picture : {thinStripes, blobs}) {
+        for (const double cutoff : {0.2, 0.5, 0.8}) {
+            const Image image = cutOutPicture(256, 128, picture);
+            CutOut cutOut;
+            cutOut.cutoff = static_cast<float>(cutoff);
+            const double wanted = coverageOf(image, cutOut);
+            ASSERT_GT(wanted, 0.05);
+            for (const Image& level : cutOutMips(image, cutOut, CutOutLevels::shares)) {
+                double sum = 0.0;
+                for (std::size_t i = 3; i < level.bytes.size(); i += 4)
+                    sum += level.bytes[i] / 255.0;
+                // Half a byte of rounding in each texel.
+                EXPECT_NEAR(sum / (level.width * level.height), wanted, 0.5 / 255.0) << cutoff << ' ' << level.width;
+            }
+        }
+    }
 }
 
 } // namespace

@@ -11,7 +11,7 @@ bool SunlightPass::isStale(const Inputs& inputs, const SunlightOptions& options)
 }
 
 void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, ScenePainter& painter,
-                        const SunlightOptions& options, bool cull, FrameStats::Pass& stats)
+                        const Inputs& inputs, const SunlightOptions& options, bool cull, FrameStats::Pass& stats)
 {
     gl::Target& target = layer == SunLayer::afloat ? afloat_.at(cascade) : submerged_;
     // Photons read the bed between texels; shadow comparisons fetch single ones and filter the answers.
@@ -25,6 +25,7 @@ void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, S
     PaintStyle style;
     style.depthOnly = true;
     style.sky = false;
+    style.dithersCutOuts = inputs.dithersCutOuts;
     painter.draw(view, style, WaterCover{}, cull, stats);
 }
 

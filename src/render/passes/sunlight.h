@@ -19,6 +19,7 @@ public:
         vec3 toSun;      ///< unit, above the horizon
         vec3 toSunBelow; ///< the refracted one
         float level = 0.0f;
+        bool dithersCutOuts = false;
         bool hasWater = true; ///< else the whole scene stands in the air
         bool operator==(const Inputs&) const = default;
     };
@@ -28,7 +29,7 @@ public:
 
     /// Draws one map. The view's ViewBlock must be bound.
     /// @param cascade of the layer; what is submerged has one
-    void draw(SunLayer layer, std::size_t cascade, const View& view, ScenePainter& painter,
+    void draw(SunLayer layer, std::size_t cascade, const View& view, ScenePainter& painter, const Inputs& inputs,
               const SunlightOptions& options, bool cull, FrameStats::Pass& stats);
     /// After all of them.
     void keep(const Inputs& inputs, const SunlightOptions& options);

@@ -1,0 +1,90 @@
+// Foliage as the mean of many pixels sees it: a layer covers its share, and layers behind each other multiply.
+#include "gl/shader_library.h"
+#include "studio.h"
+#include "test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace tarn::test {
+
+namespace {
+
+constexpr ivec2 pictureSize(64, 64);
+
+/// White ground under black layers, each of which lets the dots of one picture stand: its share of texels is there.
+Scene layersOver(int layers, double share)
+{
+    Scene scene;
+    scene.sky.kind = Sky::Kind::constant;
+    scene.sky.radiance = vec3(0.0f);
+    const int ground = addMaterial(scene, vec3(0.0f));
+    scene.materials[static_cast<std::size_t>(ground)].emissive = vec3(1.0f);
+    addFloor(scene, 0.0f, 60.0f, ground);
+
+    constexpr int edge = 128;
+    Image dots{"dots", edge, edge, 4, std::vector<std::uint8_t>(edge * edge * 4, 0), {}};
+    std::mt19937 random(7);
+    std::bernoulli_distribution isThere(share);
+    for (std::size_t i = 3; i < dots.bytes.size(); i += 4)
+        dots.bytes[i] = isThere(random) ? 255 : 0;
+    scene.images.push_back(dots);
+    const auto leaf = static_cast<std::size_t>(addMaterial(scene, vec3(0.0f)));
+    scene.materials[leaf].diffuseMap = 0;
+    scene.materials[leaf].alphaTested = true;
+    for (int i = 0; i < layers; ++i)
+        addFloor(scene, 1.0f + 0.5f * static_cast<float>(i), 60.0f, static_cast<int>(leaf), 60);
+    return scene;
+}
+
+double meanThrough(const Scene& scene, const Options& options)
+{
+    Camera camera;
+    camera.eye = vec3(0.0f, 40.0f, 0.0f);
+    camera.target = vec3(0.0f, 0.0f, -0.001f);
+    camera.verticalFov = glm::radians(40.0f); // a pixel is half a metre, 60 texels
+    camera.farPlane = 100.0f;
+    Studio studio(scene, options);
+    const Image image = studio.linear(camera, pictureSize);
+    double sum = 0.0;
+    for (int y = 0; y < pictureSize.y; ++y)
+        for (int x = 0; x < pictureSize.x; ++x)
+            sum += static_cast<double>(pixel(image, x, y).x);
+    return sum / (pictureSize.x * pictureSize.y);
+}
+
+} // namespace
+
+TEST(FrameCutOuts, LayersCoverTheirSharesOneByOne)
+{
+    for (const double share : {0.2, 0.7}) {
+        for (int layers = 1; layers <= 3; ++layers) {
+            const Scene scene = layersOver(layers, share);
+            const double expected = std::pow(1.0 - share, layers);
+            for (const int supersampling : {2, 4}) {
+                for (const int msaa : {1, 4}) {
+                    Options options;
+                    options.frame.msaa = msaa;
+                    options.frame.supersampling = supersampling;
+                    EXPECT_NEAR(meanThrough(scene, options), expected, 0.015)
+                        << share << ' ' << layers << ' ' << supersampling << ' ' << msaa;
+                }
+            }
+        }
+    }
+}
+
+// One test for a pixel can but show all of a layer or none: it is what the picture without supersampling has.
+TEST(FrameCutOuts, OneTestForAPixelKnowsNoShares)
+{
+    Options options;
+    options.frame.msaa = 1;
+    const double through = meanThrough(layersOver(1, 0.2), options);
+    EXPECT_GT(std::abs(through - 0.8), 0.03);
+    EXPECT_GT(std::abs(meanThrough(layersOver(2, 0.2), options) - 0.64), 0.03);
+}
+
+} // namespace tarn::test
