@@ -38,6 +38,18 @@ Camera lookAlong(float degreesUp, float height)
     return camera;
 }
 
+/// Waves of one length, 30 degrees off the view.
+Scene lakeWithWave(float amplitude, float wavelength)
+{
+    Scene scene = flatLake(depth);
+    Wave wave;
+    wave.amplitude = amplitude;
+    wave.wavelength = wavelength;
+    wave.direction = 30.0f;
+    scene.water.waves = {wave};
+    return scene;
+}
+
 /// The rays through the centres of the pixels of a still lake at height 0.
 class Rays {
 public:
@@ -281,12 +293,7 @@ TEST(Positions, AnEyeUnderWaterSeesTheCeilingAndMirrorsTheBed)
 // water.surface_steps: Newton's method brings the grid's points onto the waves, whatever the grid.
 TEST(FramePositions, NewtonsMethodLeavesTheTrianglesForTheWaves)
 {
-    Scene scene = flatLake(depth);
-    Wave wave;
-    wave.amplitude = 0.02f;
-    wave.wavelength = 3.0f;
-    wave.direction = 30.0f;
-    scene.water.waves = {wave};
+    const Scene scene = lakeWithWave(0.02f, 3.0f);
     const std::vector<optics64::WaveTerm> terms{optics64::makeWaveTerm(0.02, 3.0, 30.0, 0.0)};
     constexpr double time = 0.8;
     Options options;
@@ -321,12 +328,7 @@ TEST(FramePositions, NewtonsMethodLeavesTheTrianglesForTheWaves)
 // What the surface mirrors is a mean over the waves of a pixel; what is seen through it is one ray's all the same.
 TEST(FramePositions, TheFilterFadesOnlyWhatIsMirrored)
 {
-    Scene scene = flatLake(depth);
-    Wave wave;
-    wave.amplitude = 0.002f;
-    wave.wavelength = 0.12f;
-    wave.direction = 30.0f;
-    scene.water.waves = {wave};
+    const Scene scene = lakeWithWave(0.002f, 0.12f);
     const Camera camera = lookAlong(-15.0f, 2.0f); // a pixel covers up to metres
     Options options;
     options.frame.msaa = 1;

@@ -2,8 +2,8 @@
 //
 // All four are points of the Pareto front of mean time against mean FLIP. `best` has the least error. `low`
 // is the most accurate that costs no more than the thesis' settings, or the cheapest where the thesis was not
-// measured. The way between their prices is cut into three equal factors: `medium` and
-// `high` are the most accurate points that cost no more than the first and the second cut.
+// measured. The way between their prices is cut into three equal factors: `medium` and `high` are the most
+// accurate points that cost no more than the first and the second cut.
 #pragma once
 
 #include "measure/trade/results.h"
