@@ -23,9 +23,7 @@ void RenderedSubject::draw(int index)
 std::vector<BenchPass> RenderedSubject::drawPasses(int index)
 {
     session_.profiler().setSynchronous(true);
-    draw(index);
-    // The profiler hands out the newest frame whose results are in: make sure that it is this one.
-    draw(index);
+    draw(index); // synchronous: its results are in when it ends
     session_.profiler().setSynchronous(false);
     std::vector<BenchPass> passes;
     for (const gl::PassTime& time : session_.profiler().latest())

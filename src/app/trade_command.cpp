@@ -149,7 +149,10 @@ TradeResults measure(const TradeCommand& command, const Stage& stage, const std:
 void run(const TradeCommand& command)
 {
     requireReportParts();
-    if (!command.writePresets.empty()) requireWritableFolder(command.writePresets);
+    if (!command.writePresets.empty()) {
+        makeFolder(command.writePresets);
+        requireWritableFolder(command.writePresets);
+    }
     const Stage stage = [&] {
         TerminalProgress progress;
         return loadStage(command.scene, &progress);

@@ -105,7 +105,7 @@ public:
         for (const TradePoint& point : points)
             subjects.push_back(
                 std::make_unique<SettledSubject>(point.label, session_, settingsOf(point), subjectView));
-        const BenchReport report = runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 1});
+        const BenchReport report = runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 0}); // these warm themselves
         std::vector<Price> prices;
         for (const BenchResult& result : report.results)
             prices.push_back(priceOf(result, report.results.front()));

@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "app/picture_header.h"
 #include "app/reference_view.h"
+#include "base/files.h"
 #include "base/log.h"
 #include "measure/display.h"
 #include "measure/flip.h"
@@ -71,7 +72,7 @@ const reference::Picture& TradeTruth::picture(const Camera& camera, double time)
         picture = tracer_.render(view, options_);
         if (!file.empty()) {
             picture->metadata.merge(pictureHeader(stage_, camera, time));
-            std::filesystem::create_directories(arguments_.folder);
+            makeFolder(arguments_.folder);
             reference::writePicture(file, *picture);
         }
     }

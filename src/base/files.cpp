@@ -100,6 +100,13 @@ void writeFile(const fs::path& file, std::string_view text)
     });
 }
 
+void makeFolder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw Error("{}: this folder cannot be made: {}", folder.string(), error.message());
+}
+
 fs::path projectRoot()
 {
     if (const char* root = std::getenv("TARN_ROOT"); root && *root) {

@@ -390,6 +390,10 @@ void Renderer::State::drawScene(const FrameInput& input)
                   .samples = raw ? 1 : options.frame.msaa});
 
     ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.frame.cullChunks};
+    if (isWaterView(input.view)) { // what hides the water is all that they need
+        inputs.style = PaintStyle{};
+        inputs.style.depthOnly = true;
+    }
     inputs.style.underwaterEye = isBelow;
     inputs.style.sunDisc = !isBelow;
     if (raw) inputs.style.dithersCutOuts = false; // no mean is taken
@@ -401,7 +405,7 @@ void Renderer::State::drawScene(const FrameInput& input)
         inputs.cover = waterCover(water);
     FrameStats::Pass& pass = beginPass(PassId::scene, main, drawnSize);
     if (isCrossing) sideOfPixels = &waterline.draw(main, drawnSize);
-    inputs.style.waterline = sideOfPixels;
+    if (!inputs.style.depthOnly) inputs.style.waterline = sideOfPixels;
     scenePass.draw(painter, frame, inputs, pass);
     if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));
     if (!raw) check(PassId::scene, frame);

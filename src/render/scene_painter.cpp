@@ -186,8 +186,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
     int lastState = -1;
     for (const Chunk* chunk : chunks) {
         const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
-        // Whatever side of a thing the sun sees, it casts a shadow.
-        const int state = (material.twoSided || style.depthOnly ? 1 : 0) |
+        const int state = (material.twoSided || style.bothSides ? 1 : 0) |
                           (material.alphaTested && style.alphaToCoverage ? 2 : 0);
         if (state != lastState) {
             // Back faces go before clipping, or the clip plane would show the insides of what it cuts (Fig. 3).

@@ -23,7 +23,8 @@ struct PaintStyle {
     bool distantShadows = false;  ///< in those beyond the first, too
     bool caustics = false;        ///< and what reaches the bed in the caustics texture
     bool throughFlatWater = false; ///< what lies under the level is drawn where a flat surface shows it
-    bool depthOnly = false;       ///< no colour: what the sun's maps hold
+    bool depthOnly = false;       ///< no colour
+    bool bothSides = false;       ///< faces are there seen from behind, too: whatever side the sun sees casts a shadow
     bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
 };
 

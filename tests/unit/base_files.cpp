@@ -34,6 +34,16 @@ TEST(Files, ReadingNamesTheFileAndTheReason)
     EXPECT_CONTAINS(messageOf<Error>([&] { readFile(folder.path()); }), "is a directory");
 }
 
+TEST(Files, MakesFoldersThatAreMissing)
+{
+    const TempFolder folder;
+    makeFolder(folder.path() / "a" / "b");
+    makeFolder(folder.path() / "a" / "b");
+    EXPECT_TRUE(fs::is_directory(folder.path() / "a" / "b"));
+    folder.file("taken", "");
+    EXPECT_CONTAINS(messageOf<Error>([&] { makeFolder(folder.path() / "taken" / "b"); }), "cannot be made");
+}
+
 TEST(Files, WritesWholeAndReplaces)
 {
     const TempFolder folder;

@@ -96,7 +96,7 @@ TEST(TradePlan, TheDefaultIsLargeEnoughAndNotTooLarge)
 {
     const TradePlan plan = planTrade({{}, false, loadPresets()}, describerOf(Settings{}));
     EXPECT_GE(plan.points.size(), 40u);
-    EXPECT_LE(plan.points.size(), 52u) << "with six steps of the walk at most 58, which is half an hour";
+    EXPECT_LE(plan.points.size(), 52u) << "with seven steps of the walk at most 59, which is half an hour";
     EXPECT_EQ(plan.presets.size(), loadPresets().size());
     EXPECT_TRUE(plan.walk);
     for (std::size_t i = 0; i < plan.points.size(); ++i)
@@ -185,20 +185,58 @@ TEST(TradePareto, EveryFigureHasAnErrorThatIsLeastAtBest)
         EXPECT_LT(errorOf(field, good), errorOf(field, bad)) << field.name;
 }
 
-TEST(TradeWalk, TakesTheBestChangeForItsTime)
+TEST(TradeWalk, PredictsTheFrontOfAllCombinations)
 {
+    // Over a base of price 1 and error 1.
     const std::vector<SweptOption> options{
-        {"a", {{"1", 1.0, 1.0}, {"2", 2.0, 0.5}, {"3", 9.0, 0.4}}}, // 0.5 for 1 ms, then 0.1 for 7 ms
-        {"b", {{"x", 1.0, 1.0}, {"y", 3.0, 0.2}, {"z", 0.5, nan}}}, // 0.8 for 2 ms
+        {"a", {{"1", 1.0, 1.0}, {"2", 2.0, 0.5}, {"3", 9.0, 0.4}}},
+        {"b", {{"x", 1.0, 1.0}, {"y", 3.0, 0.2}, {"z", 0.5, nan}}},
     };
-    const std::vector<WalkStep> walk = greedyWalk(options);
+    const std::vector<WalkStep> walk = predictedFront(options, {1.0, 1.0});
+    ASSERT_EQ(walk.size(), 5u) << "a=3 with b=x is dearer than a=2 with b=y and worse";
+    const auto expectStep = [&](std::size_t at, const Changes& changes, double price, double error) {
+        EXPECT_EQ(walk[at].changes, changes) << at;
+        EXPECT_DOUBLE_EQ(walk[at].price, price) << at;
+        EXPECT_NEAR(walk[at].error, error, 1e-12) << at;
+    };
+    expectStep(0, {{"a", "1"}, {"b", "x"}}, 1.0, 1.0);
+    expectStep(1, {{"a", "2"}, {"b", "x"}}, 2.0, 0.5);
+    expectStep(2, {{"a", "1"}, {"b", "y"}}, 3.0, 0.2);
+    expectStep(3, {{"a", "2"}, {"b", "y"}}, 4.0, -0.3);
+    expectStep(4, {{"a", "3"}, {"b", "y"}}, 11.0, -0.4);
+    EXPECT_TRUE(predictedFront({}, {1.0, 1.0}).empty());
+}
+
+TEST(TradeWalk, FindsWhatIsWorthLessForItsTimeButFitsIn)
+{
+    // Samples are worth more for their time, but who has no time for them can have texels.
+    const std::vector<SweptOption> options{{"samples", {{"1", 1.0, 10.0}, {"4", 5.0, 1.0}}},
+                                           {"texels", {{"low", 1.0, 10.0}, {"high", 2.0, 9.0}}}};
+    const std::vector<WalkStep> walk = predictedFront(options, {1.0, 10.0});
     ASSERT_EQ(walk.size(), 4u);
-    EXPECT_EQ(walk[0].changes, (Changes{{"a", "1"}, {"b", "x"}}));
-    EXPECT_EQ(walk[1].changes, (Changes{{"a", "2"}, {"b", "x"}}));
-    EXPECT_EQ(walk[2].changes, (Changes{{"a", "2"}, {"b", "y"}}));
-    EXPECT_EQ(walk[3].changes, (Changes{{"a", "3"}, {"b", "y"}}));
-    EXPECT_DOUBLE_EQ(walk[3].price, 12.0);
-    EXPECT_TRUE(greedyWalk({}).empty());
+    EXPECT_EQ(walk[1].changes, (Changes{{"samples", "1"}, {"texels", "high"}}));
+}
+
+TEST(TradeWalk, TheFrontOfManyOptionsStaysSmall)
+{
+    std::vector<SweptOption> options;
+    for (int i = 0; i < 24; ++i) {
+        SweptOption option{"option" + std::to_string(i), {}};
+        for (int j = 0; j < 4; ++j)
+            option.values.push_back({std::to_string(j), 1.0 + j * (1.0 + 0.01 * i), 1.0 / (1.0 + j + 0.1 * i)});
+        options.push_back(std::move(option));
+    }
+    const std::vector<WalkStep> walk = predictedFront(options, {1.0, 1.0});
+    EXPECT_GT(walk.size(), 100u);
+    EXPECT_LE(walk.size(), 1002u);
+    for (std::size_t i = 1; i < walk.size(); ++i) {
+        EXPECT_GT(walk[i].price, walk[i - 1].price);
+        EXPECT_LT(walk[i].error, walk[i - 1].error);
+    }
+    for (const auto& [key, value] : walk.front().changes)
+        EXPECT_EQ(value, "0") << key << ": the cheapest is all of the cheapest";
+    for (const auto& [key, value] : walk.back().changes)
+        EXPECT_EQ(value, "3") << key << ": the most accurate is all of the most accurate";
 }
 
 TEST(TradeWalk, ThinnedKeepsBothEnds)
@@ -211,6 +249,22 @@ TEST(TradeWalk, ThinnedKeepsBothEnds)
     EXPECT_DOUBLE_EQ(few.front().price, 0.0);
     EXPECT_DOUBLE_EQ(few.back().price, 29.0);
     EXPECT_EQ(thinned(few, 8).size(), 5u);
+}
+
+TEST(TradeWalk, ThinnedFollowsTheFrontsLength)
+{
+    // A steep part of many steps and a flat one of few: each is half as long as the whole.
+    std::vector<WalkStep> steps;
+    for (int i = 0; i <= 20; ++i)
+        steps.push_back({{}, 0.0001 * i, 1.0 - 0.05 * i});
+    for (int i = 1; i <= 4; ++i)
+        steps.push_back({{}, 0.25 * i, -0.0001 * i});
+    const std::vector<WalkStep> few = thinned(steps, 5);
+    ASSERT_EQ(few.size(), 5u);
+    EXPECT_NEAR(few[1].error, 0.5, 0.051);
+    EXPECT_NEAR(few[2].price, 0.0, 0.26);
+    EXPECT_NEAR(few[3].price, 0.5, 0.26);
+    EXPECT_DOUBLE_EQ(few[4].price, 1.0);
 }
 
 } // namespace

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -16,7 +18,7 @@ namespace tarn {
 
 namespace {
 
-constexpr std::size_t walkLength = 6;
+constexpr std::size_t walkLength = 7;
 
 /// Prices of one view by point id, from all its batches.
 struct ViewPrices {
@@ -150,22 +152,61 @@ private:
     std::vector<ViewPrices> prices_;
 };
 
+/// What the walk calls the error of a setting: mean FLIP and the share of wrong refraction hits, each in parts
+/// of how far the swept options move it. FLIP alone takes whatever falls on a bed of one colour for right.
+class WalkError {
+public:
+    WalkError(const TradeSetup& setup, const std::vector<PointResult>& results)
+    {
+        for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
+            for (const std::size_t point : swept.points)
+                for (Term& term : terms_)
+                    term.take(results[point].mean.errors.*term.member);
+    }
+
+    double operator()(const Measured& measured) const
+    {
+        double error = 0.0;
+        for (const Term& term : terms_)
+            if (term.most > term.least) error += measured.errors.*term.member / (term.most - term.least);
+        return error;
+    }
+
+private:
+    struct Term {
+        double ErrorFigures::* member;
+        double least = std::numeric_limits<double>::infinity();
+        double most = -std::numeric_limits<double>::infinity();
+
+        void take(double value)
+        {
+            if (std::isnan(value)) return; // no view over water, say: then it has no say either
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+    };
+    std::array<Term, 2> terms_{Term{&ErrorFigures::flip}, Term{&ErrorFigures::refractionWrong5cm}};
+};
+
 } // namespace
 
 std::vector<TradePoint> walkPoints(const TradeSetup& setup, const std::vector<PointResult>& results)
 {
     if (!setup.plan.walk) return {};
+    const WalkError errorOf(setup, results);
     std::vector<SweptOption> options;
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps) {
         SweptOption option{swept.sweep.key, {}};
         for (std::size_t i = 0; i < swept.points.size(); ++i) {
             const Measured& measured = results[swept.points[i]].mean;
-            option.values.push_back({swept.sweep.values[i], measured.price.median, measured.errors.flip});
+            option.values.push_back({swept.sweep.values[i], measured.price.median, errorOf(measured)});
         }
         options.push_back(std::move(option));
     }
+    const Measured& base = results.front().mean;
+    const std::vector<WalkStep> front = predictedFront(options, {base.price.median, errorOf(base)});
     std::vector<TradePoint> known = setup.plan.points, walk;
-    for (const WalkStep& step : thinned(greedyWalk(options), walkLength)) {
+    for (const WalkStep& step : thinned(front, walkLength)) {
         const std::size_t before = known.size();
         const std::string label = fmt::format("walk {}", walk.size() + 1);
         const std::size_t at = addPoint(known, makePoint(step.changes, label, "walk", setup.describe));

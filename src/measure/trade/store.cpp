@@ -31,13 +31,6 @@ void requireSameKey(const fs::path& folder, const TradeKey& there, const TradeKe
     }
 }
 
-void makeFolder(const fs::path& folder)
-{
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw Error("{}: this folder cannot be made: {}", folder.string(), error.message());
-}
-
 } // namespace
 
 TradeKey readTradeKey(const fs::path& folder)

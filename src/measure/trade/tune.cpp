@@ -7,7 +7,9 @@
 #include "measure/trade/walk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 
 namespace tarn {
@@ -15,7 +17,7 @@ namespace tarn {
 namespace {
 
 constexpr double timeTolerance = 0.02;
-constexpr std::size_t combinations = 8; ///< predicted ones that are measured
+constexpr std::array<std::ptrdiff_t, 8> aboutGoal{-64, -16, -4, -1, 0, 4, 16, 64}; ///< predicted ones that are measured
 constexpr int mostPasses = 3;           ///< of polishing
 
 bool reaches(const TuneGoal& goal, const Tuned& tuned)
@@ -124,7 +126,7 @@ public:
         std::size_t neighbours = 0;
         for (const Sweep& sweep : request_.sweeps)
             neighbours += sweep.values.size();
-        bench_.expect(request_.candidates.size() + 2 * neighbours + combinations);
+        bench_.expect(request_.candidates.size() + 2 * neighbours + aboutGoal.size());
         for (const Tuned& tuned : bench_.measure(request_.candidates, "measuring the presets"))
             take(tuned);
         const Tuned start = best_;
@@ -170,7 +172,7 @@ private:
             options.push_back(std::move(option));
         }
         std::vector<TradePoint> points;
-        for (const WalkStep& step : nearGoal(greedyWalk(options), start, options.size())) {
+        for (const WalkStep& step : nearGoal(predictedFront(options, {start.ms, start.error}))) {
             Changes changes = start.point.changes;
             for (const auto& [key, value] : step.changes)
                 changes[key] = value;
@@ -179,22 +181,20 @@ private:
         return points;
     }
 
-    /// The steps on both sides of where the walk meets the goal.
-    std::vector<WalkStep> nearGoal(const std::vector<WalkStep>& walk, const Tuned& start,
-                                   std::size_t options) const
+    /// Those on both sides of where the predictions meet the goal: closely about it, should they be right, and further
+    /// and further off, should they not.
+    std::vector<WalkStep> nearGoal(const std::vector<WalkStep>& front) const
     {
-        // A step's sums hold the start once for each option.
-        const double others = static_cast<double>(options) - 1.0;
-        const auto meets = std::find_if(walk.begin(), walk.end(), [&](const WalkStep& step) {
-            const Tuned predicted{{}, step.price - others * start.ms, step.error - others * start.error};
-            return request_.goal.maxError ? predicted.error <= *request_.goal.maxError
-                                          : predicted.ms > *request_.goal.budgetMs;
+        const auto meets = std::find_if(front.begin(), front.end(), [&](const WalkStep& step) {
+            return request_.goal.maxError ? step.error <= *request_.goal.maxError
+                                          : step.price > *request_.goal.budgetMs;
         });
-        const auto at = static_cast<std::size_t>(meets - walk.begin());
-        const std::size_t first = at > combinations / 2 ? at - combinations / 2 : 0;
-        const std::size_t last = std::min(first + combinations, walk.size());
-        return {walk.begin() + static_cast<std::ptrdiff_t>(std::min(first, last)),
-                walk.begin() + static_cast<std::ptrdiff_t>(last)};
+        const auto last = static_cast<std::ptrdiff_t>(front.size()) - 1;
+        std::vector<WalkStep> steps;
+        for (const std::ptrdiff_t offset : aboutGoal)
+            if (const std::ptrdiff_t at = meets - front.begin() + offset; at >= 0 && at <= last)
+                steps.push_back(front[static_cast<std::size_t>(at)]);
+        return steps;
     }
 
     /// Whether a setting of this error can beat the best, if only its price is right.

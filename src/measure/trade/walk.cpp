@@ -1,98 +1,120 @@
 #include "measure/trade/walk.h"
 
 #include <cmath>
-#include <limits>
 
 namespace tarn {
 
 namespace {
 
-/// The options that have something to choose from, and what is chosen now.
-struct State {
-    std::vector<SweptOption> options;
+constexpr double cellsOfPrice = 1000.0; // keeps the front of sums from growing with every option
+
+/// Some of the options decided: which value of each, and what they add together.
+struct Partial {
     std::vector<std::size_t> chosen;
-
-    const SweptOption::Value& value(std::size_t option) const
-    {
-        return options[option].values[chosen[option]];
-    }
-
-    WalkStep step() const
-    {
-        WalkStep result;
-        for (std::size_t i = 0; i < options.size(); ++i) {
-            result.changes[options[i].key] = value(i).value;
-            result.price += value(i).price;
-            result.error += value(i).error;
-        }
-        return result;
-    }
+    double price = 0.0, error = 0.0;
 };
 
-State cheapest(std::span<const SweptOption> options)
+/// What has both a price and an error; options without such a value are left out.
+std::vector<SweptOption> measuredOnly(std::span<const SweptOption> options)
 {
-    State state;
-    for (const SweptOption& option : options) {
-        SweptOption measured{option.key, {}};
-        std::size_t best = 0;
-        for (const SweptOption::Value& value : option.values) {
-            if (std::isnan(value.price) || std::isnan(value.error)) continue;
-            measured.values.push_back(value);
-            const SweptOption::Value& other = measured.values[best];
-            if (value.price < other.price || (value.price == other.price && value.error < other.error))
-                best = measured.values.size() - 1;
-        }
-        if (measured.values.empty()) continue;
-        state.options.push_back(std::move(measured));
-        state.chosen.push_back(best);
+    std::vector<SweptOption> result;
+    for (SweptOption option : options) {
+        std::erase_if(option.values, [](const SweptOption::Value& value) {
+            return std::isnan(value.price) || std::isnan(value.error);
+        });
+        if (!option.values.empty()) result.push_back(std::move(option));
     }
-    return state;
+    return result;
 }
 
-/// Error removed for each millisecond; infinite when the change is free, negative when it removes none.
-double worth(const SweptOption::Value& from, const SweptOption::Value& to)
+std::vector<Partial> frontOf(const std::vector<Partial>& partials)
 {
-    if (to.error >= from.error) return -1.0;
-    if (to.price <= from.price) return std::numeric_limits<double>::infinity();
-    return (from.error - to.error) / (to.price - from.price);
+    std::vector<PricedError> points;
+    for (const Partial& partial : partials)
+        points.push_back({partial.price, partial.error});
+    std::vector<Partial> front;
+    for (const std::size_t i : paretoFront(points))
+        front.push_back(partials[i]);
+    return front;
 }
 
-/// False when no change removes error any more.
-bool takeBestChange(State& state)
+/// One for each cell of price, the cheapest aside; a front's last in a cell is its most accurate.
+std::vector<Partial> coarsened(const std::vector<Partial>& front)
 {
-    double best = 0.0;
-    std::size_t option = 0, value = 0;
-    for (std::size_t i = 0; i < state.options.size(); ++i)
-        for (std::size_t j = 0; j < state.options[i].values.size(); ++j) {
-            const double gain = worth(state.value(i), state.options[i].values[j]);
-            if (gain <= best) continue;
-            best = gain;
-            option = i;
-            value = j;
+    const double first = front.front().price, range = front.back().price - first;
+    const auto cell = [&](const Partial& partial) {
+        return std::floor(cellsOfPrice * (partial.price - first) / range);
+    };
+    std::vector<Partial> result{front.front()};
+    for (std::size_t i = 1; i < front.size(); ++i)
+        if (i + 1 == front.size() || cell(front[i]) != cell(front[i + 1])) result.push_back(front[i]);
+    return result;
+}
+
+std::vector<Partial> extended(const std::vector<Partial>& front, const SweptOption& option,
+                              const PricedError& base)
+{
+    std::vector<Partial> all;
+    for (const Partial& partial : front)
+        for (std::size_t value = 0; value < option.values.size(); ++value) {
+            Partial next = partial;
+            next.chosen.push_back(value);
+            next.price += option.values[value].price - base.price;
+            next.error += option.values[value].error - base.error;
+            all.push_back(std::move(next));
         }
-    if (best <= 0.0) return false;
-    state.chosen[option] = value;
-    return true;
+    return all;
+}
+
+/// How far along the front each step is, 0 to 1, with price and error in parts of their ranges.
+std::vector<double> lengthsAlong(const std::vector<WalkStep>& steps)
+{
+    const double prices = steps.back().price - steps.front().price;
+    const double errors = steps.front().error - steps.back().error;
+    const auto part = [](double difference, double range) {
+        return range > 0.0 ? std::abs(difference) / range : 0.0;
+    };
+    std::vector<double> lengths{0.0};
+    for (std::size_t i = 1; i < steps.size(); ++i)
+        lengths.push_back(lengths.back() + std::hypot(part(steps[i].price - steps[i - 1].price, prices),
+                                                      part(steps[i].error - steps[i - 1].error, errors)));
+    for (double& length : lengths)
+        length = lengths.back() > 0.0 ? length / lengths.back() : 0.0;
+    return lengths;
 }
 
 } // namespace
 
-std::vector<WalkStep> greedyWalk(std::span<const SweptOption> options)
+std::vector<WalkStep> predictedFront(std::span<const SweptOption> options, const PricedError& base)
 {
-    State state = cheapest(options);
-    if (state.options.empty()) return {};
-    std::vector<WalkStep> steps{state.step()};
-    while (takeBestChange(state)) // ends, for each change lowers the error of one of finitely many values
-        steps.push_back(state.step());
+    const std::vector<SweptOption> measured = measuredOnly(options);
+    if (measured.empty()) return {};
+    std::vector<Partial> front{{{}, base.price, base.error}};
+    for (const SweptOption& option : measured)
+        front = coarsened(frontOf(extended(front, option, base)));
+    std::vector<WalkStep> steps;
+    for (const Partial& partial : front) {
+        WalkStep step{{}, partial.price, partial.error};
+        for (std::size_t i = 0; i < measured.size(); ++i)
+            step.changes[measured[i].key] = measured[i].values[partial.chosen[i]].value;
+        steps.push_back(std::move(step));
+    }
     return steps;
 }
 
 std::vector<WalkStep> thinned(const std::vector<WalkStep>& steps, std::size_t count)
 {
     if (steps.size() <= count || count < 2) return steps;
+    const std::vector<double> lengths = lengthsAlong(steps);
     std::vector<WalkStep> result;
-    for (std::size_t i = 0; i < count; ++i)
-        result.push_back(steps[i * (steps.size() - 1) / (count - 1)]);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double wanted = static_cast<double>(i) / static_cast<double>(count - 1);
+        const std::size_t last = steps.size() - (count - i); // leaves a step for each that is still to come
+        while (next < last && lengths[next] < wanted)
+            ++next;
+        result.push_back(steps[next++]);
+    }
     return result;
 }
 

@@ -1,10 +1,11 @@
 // From one option at a time to combinations that ought to be worth their price.
 //
-// What an option adds to price and error when it is changed alone is taken for what it adds in company. With
-// that, the walk starts with the cheapest value of each option and takes, step by step, the change that
-// removes most error for its time. It proposes; what the combinations truly cost is measured afterwards.
+// What an option adds to price and error when it is changed alone is taken for what it adds in company. The
+// walk is the Pareto front of all combinations under that assumption. It proposes; what the combinations
+// truly cost is measured afterwards.
 #pragma once
 
+#include "measure/trade/pareto.h"
 #include "measure/trade/sweep.h"
 
 #include <cstddef>
@@ -26,13 +27,15 @@ struct SweptOption {
 
 struct WalkStep {
     Changes changes;                 ///< a value for every option
-    double price = 0.0, error = 0.0; ///< as the sum of the single changes tells, over those of the base
+    double price = 0.0, error = 0.0; ///< the base's, and what each option adds to it
 };
 
-/// All steps from the cheapest to the most accurate.
-std::vector<WalkStep> greedyWalk(std::span<const SweptOption> options);
+/// Along the predicted front, from the cheapest to the most accurate. Of steps whose prices differ by less
+/// than a thousandth of all that there is between them, only the most accurate is there.
+std::vector<WalkStep> predictedFront(std::span<const SweptOption> options, const PricedError& base);
 
-/// At most `count` of them, spread evenly, the first and the last among them.
+/// At most `count` of them, the first and the last among them, spread evenly over the front as it is drawn:
+/// along its length, with both axes as long as the front.
 std::vector<WalkStep> thinned(const std::vector<WalkStep>& steps, std::size_t count);
 
 } // namespace tarn

@@ -24,6 +24,7 @@ void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, S
     target.drawFramebuffer().clearDepth();
     PaintStyle style;
     style.depthOnly = true;
+    style.bothSides = true;
     style.sky = false;
     style.dithersCutOuts = inputs.dithersCutOuts;
     painter.draw(view, style, WaterCover{}, cull, stats);
