@@ -2,6 +2,7 @@
 // Mihálik 2008, chapter 7. Radiance through the surface keeps the factor 1/n² (seen from above) or n² (from below).
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
+#include "shared/fresnel_table.glsl"
 #include "shared/waves.glsl"
 #include "shared/depth.glsl"
 #include "shared/intersection.glsl"
@@ -41,6 +42,9 @@ uniform mat4 worldFromReflectionView;
 #endif
 #endif
 uniform float schlickExponent; // q of eq. 7
+#ifdef FRESNEL_TABLE
+uniform sampler2D fresnelTable; // FRESNEL_TABLE: whether its texels are blended
+#endif
 
 #ifdef WATERLINE
 uniform sampler2D waterline; // which pixels are under water, and which on the line: waterline.frag
@@ -301,12 +305,19 @@ vec3 reflectedRadiance(vec3 reflected)
 }
 
 #ifndef UNDERWATER
-float reflectance(float cosine)
+// What of the light passes the surface, and what is mirrored.
+vec2 fresnelShares(float cosine)
 {
-#ifdef EXACT_FRESNEL
-    return fresnelExact(cosine, 1.0 / ior);
+#ifdef FRESNEL_TABLE
+    float place = fresnelTablePlace(cosine, textureSize(fresnelTable, 0).x, FRESNEL_TABLE);
+    return textureLod(fresnelTable, vec2(place, 0.5), 0.0).rg;
 #else
-    return fresnelSchlick(cosine, ior, schlickExponent);
+#ifdef EXACT_FRESNEL
+    float f = fresnelExact(cosine, 1.0 / ior);
+#else
+    float f = fresnelSchlick(cosine, ior, schlickExponent);
+#endif
+    return vec2(1.0 - f, f);
 #endif
 }
 
@@ -317,15 +328,15 @@ vec3 reflectedFrom(vec3 normal, vec3 toEye)
     return reflected;
 }
 
-// Reflectance, and the radiance that the surface mirrors, both of a pixel.
+// What the surface lets through and what it mirrors, as shares, and the mirrored radiance, all of a pixel.
 //
 // FACETS: waves that a pixel cannot show still tilt its surface. Their slopes along the line of sight, which is where
 // they matter (a grazing view sees the facets that lean towards it, so that far water mirrors more of the sky and less
 // of the shore), are normal; a Gauss-Hermite rule of 3 or 5 of them stands for all. Each counts with the area that the
 // eye sees of it, as in the masked slopes of Ross et al. 2005.
-vec3 mirroredTowards(vec3 toEye, Surface surface, out float fresnel)
+vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 shares)
 {
-    fresnel = reflectance(max(dot(toEye, surface.meanNormal), 0.0)); // E·N; a crest's far side is seen edge-on
+    shares = fresnelShares(max(dot(toEye, surface.meanNormal), 0.0)); // E·N; a crest's far side is seen edge-on
 #ifdef FACETS
 #if FACETS == 3
     const vec2 rule[3] = vec2[3](vec2(0.0, 0.6666667), vec2(1.7320508, 0.1666667), vec2(-1.7320508, 0.1666667));
@@ -338,24 +349,25 @@ vec3 mirroredTowards(vec3 toEye, Surface surface, out float fresnel)
         vec2 slope = -surface.meanNormal.xz / surface.meanNormal.y;
         vec2 across = normalize(toEye.xz + vec2(1.0e-6, 0.0));
         vec3 sum = vec3(0.0);
-        float shares = 0.0, weights = 0.0;
+        float reflected = 0.0, weights = 0.0;
         for (int i = 0; i < FACETS; ++i) {
             vec3 n = waveNormal(slope + rule[i].x * deviation * across);
             float facing = dot(toEye, n);
             if (facing <= 0.0) continue;
             float weight = rule[i].y * facing / n.y;
-            float share = weight * reflectance(facing);
+            float share = weight * fresnelShares(facing).y;
             sum += share * reflectedRadiance(reflectedFrom(n, toEye));
-            shares += share;
+            reflected += share;
             weights += weight;
         }
         if (weights > 0.0) {
-            fresnel = shares / weights;
+            float mean = reflected / weights;
+            shares = vec2(1.0 - mean, mean);
             return sum / weights;
         }
     }
 #endif
-    return fresnel * reflectedRadiance(reflectedFrom(surface.meanNormal, toEye));
+    return shares.y * reflectedRadiance(reflectedFrom(surface.meanNormal, toEye));
 }
 #endif
 
@@ -390,8 +402,9 @@ void main()
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
     vec3 reflected = reflectedFrom(surface.meanNormal, toEye);
-    float fresnel;
-    vec3 mirrored = mirroredTowards(toEye, surface, fresnel);
+    vec2 shares;
+    vec3 mirrored = mirroredTowards(toEye, surface, shares);
+    float fresnel = shares.y;
 
 #ifdef REFRACTION
     // What is mirrored is a mean over the pixel's facets. What is seen through them is that of the facet in its middle: one
@@ -405,9 +418,9 @@ void main()
     vec3 hit = surfaceW;
     float path = 0.0;
 #endif
-    vec3 radiance = mirrored + radianceThroughSurface(1.0 - fresnel, ior) * below;
+    vec3 radiance = mirrored + radianceThroughSurface(shares.x, ior) * below;
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
-    float glintFresnel = reflectance(max(dot(toEye, normalize(toEye + sunDirection)), 0.0));
+    float glintFresnel = fresnelShares(max(dot(toEye, normalize(toEye + sunDirection)), 0.0)).y;
     radiance += sunGlint(sunIrradiance, glintFresnel, surface.meanNormal, toEye, sunDirection, surface.roughness);
 #endif
 

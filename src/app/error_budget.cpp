@@ -148,6 +148,16 @@ struct Parts {
     void addFresnel()
     {
         const WaterOptions& water = options().water;
+        if (water.fresnel == WaterOptions::Fresnel::table) {
+            std::function<void(ViewRequest&)> lookup;
+            if (!isUnderwater())
+                lookup = [table = optics::makeFresnelTable(settings.water.ior, water.fresnelTable,
+                                                           water.fresnelFilter)](ViewRequest& view) {
+                    view.approximations.fresnelTable = table;
+                };
+            add("Fresnel's table", {{"water.fresnel", "exact"}}, lookup);
+            return;
+        }
         const float exponent = water.fresnel == WaterOptions::Fresnel::schlick ? water.schlickExponent : 0.0f;
         std::function<void(ViewRequest&)> schlick;
         if (!isUnderwater())

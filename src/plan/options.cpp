@@ -14,7 +14,8 @@ constexpr std::array waterGridNames{"uniform", "focused"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative"};
 constexpr std::array refractionCameraNames{"main", "snell", "flat"};
-constexpr std::array fresnelNames{"schlick", "exact"};
+constexpr std::array fresnelNames{"schlick", "table", "exact"};
+constexpr std::array tableFilterNames{"nearest", "linear"};
 constexpr std::array reflectionMethodNames{"distance", "iterative"};
 constexpr std::array facetsNames{"one", "three", "five"};
 constexpr std::array causticsMethodNames{"cpu", "points", "fetch", "mesh"};
@@ -48,10 +49,14 @@ void visit(FieldVisitor& v, WaterOptions& o)
     v.field(
         {"filter_waves", "Fade waves that are shorter than a pixel into the roughness of what is mirrored"},
         o.filterWaves);
-    v.choice({"fresnel", "Reflectance seen from above: exact, or by Schlick's formula as published"}, o.fresnel,
-             fresnelNames);
+    v.choice({"fresnel", "Reflectance seen from above: exact, from a table of that over the cosine (Lipp), or by Schlick's "
+                         "formula (Mihalik 2008)"},
+             o.fresnel, fresnelNames);
     v.field({"schlick_exponent", "q of Schlick's Fresnel (Mihalik 2008, eq. 7)", "", 0.5, 20.0},
             o.schlickExponent);
+    v.field({"fresnel_table", "Texels of the table of Fresnel's reflectance", "texels", 16, 4096}, o.fresnelTable);
+    v.choice({"fresnel_filter", "How that table is read: the nearest texel as published, or texels blended"},
+             o.fresnelFilter, tableFilterNames);
     v.field({"sun_roughness", "Deviation of the slope of waves too small to model: width of the sun's glint",
              "", 0.001, 0.5},
             o.sunRoughness);

@@ -3,6 +3,7 @@
 
 #include "base/fields.h"
 #include "base/math.h"
+#include "optics/fresnel_table.h"
 
 namespace tarn {
 
@@ -18,7 +19,7 @@ struct FrameOptions {
 
 struct WaterOptions {
     enum class Normals { pixel, vertex };
-    enum class Fresnel { schlick, exact };
+    enum class Fresnel { schlick, table, exact };
     enum class Grid { uniform, focused };
     bool enabled = true;
     Grid grid = Grid::uniform;
@@ -28,6 +29,8 @@ struct WaterOptions {
     bool filterWaves = true;
     Fresnel fresnel = Fresnel::exact;
     float schlickExponent = 5.0f;
+    int fresnelTable = 1024;
+    optics::TableFilter fresnelFilter = optics::TableFilter::nearest;
     float sunRoughness = 0.02f;
 };
 

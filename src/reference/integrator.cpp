@@ -95,15 +95,24 @@ vec3 Integrator::glint(const dvec3& U, const dvec3& n, const vec3& toEye) const
     return world_.geometry.occluded({U, dvec3(light.sunDirection)}, 1e-3, farthest) ? vec3(0.0f) : radiance;
 }
 
+/// Of the surface seen from above.
+double Integrator::reflectance(double cosine) const
+{
+    const double ior = world_.light.ior;
+    const Approximations& rough = world_.approximations;
+    if (rough.fresnelTable) return static_cast<double>(rough.fresnelTable->at(static_cast<float>(cosine)).y);
+    if (rough.schlickExponent > 0.0f)
+        return optics64::fresnelSchlick(cosine, ior, static_cast<double>(rough.schlickExponent));
+    return optics64::fresnelExact(cosine, 1.0 / ior);
+}
+
 vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
 {
     const dvec3 n = world_.water->normal(U.x, U.z);
     const double cosine = std::max(-glm::dot(n, ray.direction), 0.0);
     const double ior = world_.light.ior;
     const Approximations& rough = world_.approximations;
-    const double F = rough.schlickExponent > 0.0f
-                         ? optics64::fresnelSchlick(cosine, ior, static_cast<double>(rough.schlickExponent))
-                         : optics64::fresnelExact(cosine, 1.0 / ior);
+    const double F = reflectance(cosine);
 
     Walk mirrored = walk;
     mirrored.weight *= F;

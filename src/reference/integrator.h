@@ -69,6 +69,7 @@ private:
     vec3 sunInAir(const SurfacePoint& point, const vec3& toEye, Walk& walk) const;
     vec3 sunInWater(const SurfacePoint& point, const vec3& toEye, double footprint) const;
     vec3 gathered(const SurfacePoint& point, Medium medium, Walk walk) const;
+    double reflectance(double cosine) const;
     vec3 glint(const dvec3& U, const dvec3& n, const vec3& toEye) const;
     vec3 skyAlong(const dvec3& direction, const Walk& walk) const;
     std::optional<vec3> causticsAt(const dvec3& position, double footprint) const;

@@ -156,6 +156,9 @@ std::string identityOf(const Approximations& rough)
 {
     std::string text;
     if (rough.schlickExponent > 0.0f) text += fmt::format("; Schlick {}", rough.schlickExponent);
+    if (const auto& table = rough.fresnelTable)
+        text += fmt::format("; Fresnel of {} texels{}", table->texels.size(),
+                            table->filter == optics::TableFilter::linear ? " blended" : "");
     if (rough.refraction)
         text += fmt::format("; refraction {} {}", rough.refractionSteps, rough.planarRefraction) +
                 identityOf(*rough.refraction);

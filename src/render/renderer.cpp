@@ -417,6 +417,7 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .reflection = reflects ? &reflection.target() : nullptr,
                              .reflectionView = &reflectionView,
                              .skyMap = gpuScene.skyMap(),
+                             .ior = water.ior,
                              .underwater = isBelow,
                              .view = input.view};
     if (isCrossing) inputs.waterline = sideOfPixels;

@@ -73,7 +73,7 @@ protected:
     {
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
-             {"blocks", "refraction", "depth", "waves", "intersection", "reflection", "lighting", "tonemap", "sunlight"}) {
+             {"blocks", "refraction", "fresnel_table", "depth", "waves", "intersection", "reflection", "lighting", "tonemap", "sunlight"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
             includes_ += "#include \"" + name + "\"\n";
@@ -187,6 +187,14 @@ TEST_F(OpticsGl, Refraction)
                          fresnelSchlick(i.b.y, 1.31f, 0.5f + 8.0f * i.b.w), 0, 0);
          },
          1e-6f},
+        {"fresnelTable",
+         "vec4(fresnelTablePlace(a.y, 1024, true), fresnelTablePlace(1.1 * b.y, 64, false),"
+         " fresnelTableCosine(int(63.0 * a.w), 64, true), fresnelTableCosine(int(63.0 * b.w), 64, false))",
+         [](const Inputs& i) {
+             return vec4(fresnelTablePlace(i.a.y, 1024, true), fresnelTablePlace(1.1f * i.b.y, 64, false),
+                         fresnelTableCosine(static_cast<int>(63.0f * i.a.w), 64, true),
+                         fresnelTableCosine(static_cast<int>(63.0f * i.b.w), 64, false));
+         }},
         {"beerLambert", "vec4(beerLambert(a.xyz * a.xyz, 30.0 * a.w), 0.0)",
          [](const Inputs& i) { return wide(beerLambert(xyz(i.a) * xyz(i.a), 30.0f * i.a.w)); }},
         {"radianceThroughWater", "vec4(radianceThroughWater(a.xyz, b.xyz, c.xyz * c.xyz), 0.0)",

@@ -29,6 +29,11 @@ bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
     return inputs.reflection && !asPublished && options.reflection.method == ReflectionOptions::Method::iterative;
 }
 
+bool readsFresnelTable(const Options& options, const WaterPass::Inputs& inputs)
+{
+    return !inputs.underwater && options.water.fresnel == WaterOptions::Fresnel::table;
+}
+
 } // namespace
 
 gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
@@ -46,6 +51,9 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
     defines.emplace_back("SURFACE_STEPS", std::to_string(options.water.surfaceSteps));
     if (options.water.fresnel == WaterOptions::Fresnel::exact) defines.emplace_back("EXACT_FRESNEL", "1");
+    if (readsFresnelTable(options, inputs))
+        defines.emplace_back("FRESNEL_TABLE",
+                             options.water.fresnelFilter == optics::TableFilter::linear ? "true" : "false");
     if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
     if (!inputs.underwater && options.reflection.facets != ReflectionOptions::Facets::one)
         defines.emplace_back("FACETS", options.reflection.facets == ReflectionOptions::Facets::three ? "3" : "5");
@@ -65,6 +73,7 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
     if (inputs.waterline) p.texture("waterline", *inputs.waterline);
     if (options.water.fresnel == WaterOptions::Fresnel::schlick || inputs.underwater)
         p.set("schlickExponent", options.water.schlickExponent);
+    if (readsFresnelTable(options, inputs)) p.texture("fresnelTable", fresnelTable_.of(inputs.ior, options.water));
     if (inputs.refraction) {
         const View& view = *inputs.refractionView;
         p.texture("refractionColour", inputs.refraction->colour());
