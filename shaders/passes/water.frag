@@ -20,6 +20,9 @@ uniform vec2 refractionNearFar;
 uniform mat4 worldFromRefractionView;
 uniform int refractionSteps;
 #endif
+#ifdef LINEAR_ATTENUATION
+uniform float attenuationLength; // m
+#endif
 #ifdef UNDERWATER
 uniform float refractionDistance; // m of eq. 13
 #endif
@@ -126,6 +129,18 @@ vec4 shownFor(vec3 hitW)
 }
 #endif
 
+#ifndef UNDERWATER
+// What the water lets through of the bed's light on its way to the surface.
+vec3 letThrough(float path)
+{
+#ifdef LINEAR_ATTENUATION
+    return vec3(linearAttenuation(path, attenuationLength));
+#else
+    return beerLambert(absorption, path);
+#endif
+}
+#endif
+
 #ifdef FLAT_CAMERA
 // Section 7.1 in world space. Points are written (x, z, y), so that the third coordinate, which intersection.glsl
 // compares, is the height: a refracted ray only goes down, and what lies lower is behind.
@@ -154,7 +169,7 @@ Transmitted lookupBed(vec3 refracted)
     t.hitW = hit.xzy;
     t.path = distance(seen, u);
     vec3 bed = texture(refractionColour, flatTexel(t.hitW - look.beside)).rgb;
-    t.radiance = radianceThroughWater(bed, deepRadiance, beerLambert(absorption, t.path)); // eq. 5
+    t.radiance = radianceThroughWater(bed, deepRadiance, letThrough(t.path)); // eq. 5
     return t;
 }
 #elif !defined(UNDERWATER)
@@ -178,7 +193,7 @@ Transmitted lookupBed(vec3 refracted)
     t.hitW = (worldFromRefractionView * vec4(hit, 1.0)).xyz;
     t.path = distance(seen, u);
     vec3 bed = texture(refractionColour, refractionTexel(hit)).rgb;
-    t.radiance = radianceThroughWater(bed, deepRadiance, beerLambert(absorption, t.path)); // eq. 5
+    t.radiance = radianceThroughWater(bed, deepRadiance, letThrough(t.path)); // eq. 5
     return t;
 }
 #endif

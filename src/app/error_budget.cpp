@@ -165,6 +165,19 @@ struct Parts {
         add("Schlick's Fresnel", {{"water.fresnel", "exact"}}, schlick);
     }
 
+    /// Only where it is there: a budget of the exponential has nothing to say of it.
+    void addAttenuation()
+    {
+        const WaterOptions& water = options().water;
+        if (water.attenuation == WaterOptions::Attenuation::exponential) return;
+        std::function<void(ViewRequest&)> linear;
+        if (!isUnderwater())
+            linear = [length = water.attenuationLength](ViewRequest& view) {
+                view.approximations.attenuationLength = length;
+            };
+        add("linear attenuation", {{"water.attenuation", "exponential"}}, linear);
+    }
+
     void addSun()
     {
         const CausticsOptions& caustics = options().caustics;
@@ -227,6 +240,7 @@ std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings
     parts.addRefraction();
     parts.addReflection();
     parts.addFresnel();
+    parts.addAttenuation();
     parts.addSun();
     parts.addFrame();
     return std::move(parts.list);

@@ -15,6 +15,7 @@ constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative"};
 constexpr std::array refractionCameraNames{"main", "snell", "flat"};
 constexpr std::array fresnelNames{"schlick", "table", "exact"};
+constexpr std::array attenuationNames{"exponential", "linear"};
 constexpr std::array tableFilterNames{"nearest", "linear"};
 constexpr std::array reflectionMethodNames{"distance", "iterative"};
 constexpr std::array facetsNames{"one", "three", "five"};
@@ -57,6 +58,12 @@ void visit(FieldVisitor& v, WaterOptions& o)
     v.field({"fresnel_table", "Texels of the table of Fresnel's reflectance", "texels", 16, 4096}, o.fresnelTable);
     v.choice({"fresnel_filter", "How that table is read: the nearest texel as published, or texels blended"},
              o.fresnelFilter, tableFilterNames);
+    v.choice({"attenuation", "How the bed seen from above fades into the water's colour along its ray: by absorption, or "
+                             "linearly and alike for all colours as Lipp has it. Light's way down to the bed, and what "
+                             "an eye under water sees, stay exponential"},
+             o.attenuation, attenuationNames);
+    v.field({"attenuation_length", "Path at which the linear fade ends in the water's colour alone", "m", 0.01, 10000.0},
+            o.attenuationLength);
     v.field({"sun_roughness", "Deviation of the slope of waves too small to model: width of the sun's glint",
              "", 0.001, 0.5},
             o.sunRoughness);

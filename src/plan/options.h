@@ -20,6 +20,7 @@ struct FrameOptions {
 struct WaterOptions {
     enum class Normals { pixel, vertex };
     enum class Fresnel { schlick, table, exact };
+    enum class Attenuation { exponential, linear };
     enum class Grid { uniform, focused };
     bool enabled = true;
     Grid grid = Grid::uniform;
@@ -31,6 +32,8 @@ struct WaterOptions {
     float schlickExponent = 5.0f;
     int fresnelTable = 1024;
     optics::TableFilter fresnelFilter = optics::TableFilter::nearest;
+    Attenuation attenuation = Attenuation::exponential;
+    float attenuationLength = 7.5f;
     float sunRoughness = 0.02f;
 };
 

@@ -66,8 +66,7 @@ vec3 Integrator::along(const Ray& ray, Medium medium, Walk walk) const
     const vec3 radiance = meeting->hit ? shade(ray, *meeting->hit, medium, walk)
                                        : atSurface(ray, meeting->distance, medium, walk);
     if (!isWet) return radiance;
-    const vec3 a = optics::beerLambert(world_.light.absorption, static_cast<float>(meeting->distance));
-    return optics::radianceThroughWater(radiance, deep, a);
+    return optics::radianceThroughWater(radiance, deep, letThrough(meeting->distance, walk.fadesLinearly));
 }
 
 vec3 Integrator::atSurface(const Ray& ray, double distance, Medium medium, Walk walk) const
@@ -77,6 +76,7 @@ vec3 Integrator::atSurface(const Ray& ray, double distance, Medium medium, Walk 
         return vec3(0.0f);
     }
     ++walk.events;
+    walk.fadesLinearly = false;
     const dvec3 U = ray.origin + distance * ray.direction;
     return medium == Medium::air ? fromAbove(ray, U, walk) : fromBelow(ray, U, walk);
 }
@@ -93,6 +93,14 @@ vec3 Integrator::glint(const dvec3& U, const dvec3& n, const vec3& toEye) const
                                            world_.sunRoughness * world_.sunRoughness);
     if (radiance == vec3(0.0f)) return radiance;
     return world_.geometry.occluded({U, dvec3(light.sunDirection)}, 1e-3, farthest) ? vec3(0.0f) : radiance;
+}
+
+/// What water lets through on a path, m.
+vec3 Integrator::letThrough(double path, bool fadesLinearly) const
+{
+    const auto metres = static_cast<float>(path);
+    if (fadesLinearly) return vec3(optics::linearAttenuation(metres, world_.approximations.attenuationLength));
+    return optics::beerLambert(world_.light.absorption, metres);
 }
 
 /// Of the surface seen from above.
@@ -127,6 +135,7 @@ vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
 
     Walk passed = walk;
     passed.weight *= 1.0 - F;
+    passed.fadesLinearly = isFirst && rough.attenuationLength > 0.0f;
     dvec3 bent = optics64::refractRay(ray.direction, n, 1.0 / ior);
     if (isFirst && rough.refractionTexels) bent = towardsTexel(*rough.refractionTexels, U, bent, chance);
     const vec3 refracted =
@@ -191,8 +200,7 @@ vec3 Integrator::lookUpBed(const dvec3& U, const dvec3& refracted, Walk walk) co
     walk.length += glm::distance(U, seen.point);
     const bool isWet = seen.point.y < world_.water->level();
     const vec3 bed = shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, walk);
-    const vec3 a = optics::beerLambert(world_.light.absorption, static_cast<float>(glm::distance(A, U)));
-    return optics::radianceThroughWater(bed, deep, a);
+    return optics::radianceThroughWater(bed, deep, letThrough(glm::distance(A, U), walk.fadesLinearly));
 }
 
 vec3 Integrator::lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) const
@@ -305,6 +313,7 @@ vec3 Integrator::gathered(const SurfacePoint& point, Medium medium, Walk walk) c
 {
     ++walk.bounces;
     walk.isIndirect = true;
+    walk.fadesLinearly = false;
     walk.weight *= std::max({point.albedo.x, point.albedo.y, point.albedo.z});
     walk.events = 0; // a new start: the limit is that of one path between surfaces
     const dvec3 n(glm::dot(point.normal, point.geometricNormal) > 0.0f ? point.normal : point.geometricNormal);

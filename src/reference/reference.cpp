@@ -156,6 +156,7 @@ std::string identityOf(const Approximations& rough)
 {
     std::string text;
     if (rough.schlickExponent > 0.0f) text += fmt::format("; Schlick {}", rough.schlickExponent);
+    if (rough.attenuationLength > 0.0f) text += fmt::format("; fades over {} m", rough.attenuationLength);
     if (const auto& table = rough.fresnelTable)
         text += fmt::format("; Fresnel of {} texels{}", table->texels.size(),
                             table->filter == optics::TableFilter::linear ? " blended" : "");

@@ -197,6 +197,10 @@ TEST_F(OpticsGl, Refraction)
          }},
         {"beerLambert", "vec4(beerLambert(a.xyz * a.xyz, 30.0 * a.w), 0.0)",
          [](const Inputs& i) { return wide(beerLambert(xyz(i.a) * xyz(i.a), 30.0f * i.a.w)); }},
+        {"linearAttenuation", "vec4(linearAttenuation(9.0 * a.w, 7.5), linearAttenuation(a.w - 0.5, 0.1 + b.w), 0.0, 0.0)",
+         [](const Inputs& i) {
+             return vec4(linearAttenuation(9.0f * i.a.w, 7.5f), linearAttenuation(i.a.w - 0.5f, 0.1f + i.b.w), 0, 0);
+         }},
         {"radianceThroughWater", "vec4(radianceThroughWater(a.xyz, b.xyz, c.xyz * c.xyz), 0.0)",
          [](const Inputs& i) { return wide(radianceThroughWater(xyz(i.a), xyz(i.b), xyz(i.c) * xyz(i.c))); }},
         {"radianceThroughSurface", "vec4(radianceThroughSurface(a.y, 1.0 + b.w))",

@@ -206,6 +206,8 @@ TEST(Approximations, FineGridsAndMapsAreTheTruth)
     EXPECT_GT(coarse, 1e-4);
     options.water.fresnelTable = 4096;
     EXPECT_LT(madeBy("Fresnel's table", lake, options), 0.02 * coarse);
+    options.water.attenuation = WaterOptions::Attenuation::linear;
+    EXPECT_GT(madeBy("linear attenuation", lake, options), 1e-3);
 }
 
 TEST(Approximations, AFineShadowMapCastsTheTrueShadow)

@@ -29,6 +29,11 @@ bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
     return inputs.reflection && !asPublished && options.reflection.method == ReflectionOptions::Method::iterative;
 }
 
+bool fadesLinearly(const Options& options, const WaterPass::Inputs& inputs)
+{
+    return !inputs.underwater && options.water.attenuation == WaterOptions::Attenuation::linear;
+}
+
 bool readsFresnelTable(const Options& options, const WaterPass::Inputs& inputs)
 {
     return !inputs.underwater && options.water.fresnel == WaterOptions::Fresnel::table;
@@ -54,6 +59,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (readsFresnelTable(options, inputs))
         defines.emplace_back("FRESNEL_TABLE",
                              options.water.fresnelFilter == optics::TableFilter::linear ? "true" : "false");
+    if (inputs.refraction && fadesLinearly(options, inputs)) defines.emplace_back("LINEAR_ATTENUATION", "1");
     if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
     if (!inputs.underwater && options.reflection.facets != ReflectionOptions::Facets::one)
         defines.emplace_back("FACETS", options.reflection.facets == ReflectionOptions::Facets::three ? "3" : "5");
@@ -84,6 +90,7 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         p.set("worldFromRefractionView", glm::inverse(view.viewFromWorld));
         p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
         p.set("refractionSteps", options.refraction.steps);
+        if (fadesLinearly(options, inputs)) p.set("attenuationLength", options.water.attenuationLength);
     }
     if (inputs.underwater) p.set("refractionDistance", options.underwater.distance);
     if (inputs.reflection) {
