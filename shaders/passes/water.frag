@@ -48,6 +48,10 @@ uniform float schlickExponent; // q of eq. 7
 #ifdef FRESNEL_TABLE
 uniform sampler2D fresnelTable; // FRESNEL_TABLE: whether its texels are blended
 #endif
+#ifdef PHONG
+uniform float phongExponent;
+uniform float phongStrength;
+#endif
 
 #ifdef WATERLINE
 uniform sampler2D waterline; // which pixels are under water, and which on the line: waterline.frag
@@ -434,9 +438,13 @@ void main()
     float path = 0.0;
 #endif
     vec3 radiance = mirrored + radianceThroughSurface(shares.x, ior) * below;
+#ifdef PHONG
+    radiance += phongGlint(sunIrradiance, shares.y, surface.meanNormal, toEye, sunDirection, phongExponent, phongStrength);
+#else
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
     float glintFresnel = fresnelShares(max(dot(toEye, normalize(toEye + sunDirection)), 0.0)).y;
     radiance += sunGlint(sunIrradiance, glintFresnel, surface.meanNormal, toEye, sunDirection, surface.roughness);
+#endif
 #endif
 
 #ifdef WATERLINE

@@ -16,6 +16,7 @@ constexpr std::array refractionMethodNames{"planar", "iterative"};
 constexpr std::array refractionCameraNames{"main", "snell", "flat"};
 constexpr std::array fresnelNames{"schlick", "table", "exact"};
 constexpr std::array attenuationNames{"exponential", "linear"};
+constexpr std::array specularNames{"physical", "phong"};
 constexpr std::array tableFilterNames{"nearest", "linear"};
 constexpr std::array reflectionMethodNames{"distance", "iterative"};
 constexpr std::array facetsNames{"one", "three", "five"};
@@ -67,6 +68,12 @@ void visit(FieldVisitor& v, WaterOptions& o)
     v.field({"sun_roughness", "Deviation of the slope of waves too small to model: width of the sun's glint",
              "", 0.001, 0.5},
             o.sunRoughness);
+    v.choice({"specular", "The sun's image on the surface: the glint of its radiance on waves too small to model, or Lipp's "
+                          "Phong highlight, which is on no honest scale: its light's colour is the radiance of a white "
+                          "diffuse surface that faces the sun"},
+             o.specular, specularNames);
+    v.field({"phong_exponent", "Exponent of the Phong highlight", "", 1.0, 10000.0}, o.phongExponent);
+    v.field({"phong_strength", "Factor on the Phong highlight, before Fresnel", "", 0.0, 1000.0}, o.phongStrength);
 }
 
 void visit(FieldVisitor& v, RefractionOptions& o)

@@ -21,6 +21,7 @@ struct WaterOptions {
     enum class Normals { pixel, vertex };
     enum class Fresnel { schlick, table, exact };
     enum class Attenuation { exponential, linear };
+    enum class Specular { physical, phong };
     enum class Grid { uniform, focused };
     bool enabled = true;
     Grid grid = Grid::uniform;
@@ -35,6 +36,9 @@ struct WaterOptions {
     Attenuation attenuation = Attenuation::exponential;
     float attenuationLength = 7.5f;
     float sunRoughness = 0.02f;
+    Specular specular = Specular::physical;
+    float phongExponent = 256.0f;
+    float phongStrength = 2.0f;
 };
 
 enum class DepthFormat { depth16, depth24, depth32f };

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace tarn::test {
 
@@ -75,6 +76,55 @@ TEST(LinearAttenuation, LeavesTheViewFromBelowAlone)
     options.water.attenuation = WaterOptions::Attenuation::linear;
     studio.setOptions(options, scene.water);
     EXPECT_EQ(studio.linear(upright(-1.5f), pictureSize).floats, exponential.floats);
+}
+
+// A black sky and a black bed: all that is seen of still water is the highlight.
+TEST(PhongHighlight, IsTheFormulasOverTheWholePicture)
+{
+    Scene scene = flatLake(3.0f);
+    scene.sky.radiance = vec3(0.0f);
+    scene.materials[0].diffuse = vec3(0.0f);
+    scene.sun = Sun{normalize(vec3(0.03f, 1.0f, -0.02f)), vec3(10.0f, 5.0f, 1.0f), false};
+    Options options = oneSample();
+    options.caustics.enabled = options.sunlight.shadows = options.glow.enabled = false;
+    options.water.specular = WaterOptions::Specular::phong;
+    options.water.phongExponent = 64.0f;
+    options.water.phongStrength = 3.0f;
+    Studio studio(scene, options);
+    const Camera camera = upright(1.6f);
+    const Image image = studio.linear(camera, pictureSize);
+    const Image places = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
+    double brightest = 0.0;
+    for (int y = 0; y < pictureSize.y; ++y)
+        for (int x = 0; x < pictureSize.x; ++x) {
+            const glm::dvec3 U(vec3(pixel(places, x, y)));
+            const glm::dvec3 toEye = glm::normalize(glm::dvec3(camera.eye) - U), sun(scene.sun->direction);
+            // Lipp: (R_L·E)^n · colour · strength · F, with R_L the light mirrored about the normal.
+            const glm::dvec3 mirrored(-sun.x, sun.y, -sun.z);
+            const double f = optics64::fresnelExact(toEye.y, 1.0 / 1.33);
+            const double lobe = std::pow(glm::dot(mirrored, toEye), 64.0);
+            for (int c = 0; c < 3; ++c) {
+                const double colour = static_cast<double>(scene.sun->irradiance[c]) / std::numbers::pi;
+                const double expected = f * 3.0 * colour * lobe;
+                EXPECT_NEAR(pixel(image, x, y)[c], expected, 0.003 * expected + 1e-6) << x << ", " << y;
+                brightest = std::max(brightest, expected);
+            }
+        }
+    EXPECT_GT(brightest, 0.19); // the mirrored sun is in the picture: F is 0.02
+}
+
+TEST(PhongHighlight, ASunBelowTheHorizonHasNone)
+{
+    Scene scene = flatLake(3.0f);
+    scene.sun = Sun{normalize(vec3(0.0f, -1.0f, -0.3f)), vec3(10.0f), false};
+    Options options = oneSample();
+    options.water.specular = WaterOptions::Specular::phong;
+    options.water.phongStrength = 0.0f;
+    Studio studio(scene, options);
+    const Image none = studio.linear(upright(1.6f), pictureSize);
+    options.water.phongStrength = 100.0f;
+    studio.setOptions(options, scene.water);
+    EXPECT_EQ(studio.linear(upright(1.6f), pictureSize).floats, none.floats);
 }
 
 } // namespace tarn::test

@@ -270,6 +270,11 @@ TEST_F(OpticsGl, Lighting)
          1e-4f},
         {"smithCosLambda", "vec4(smithCosLambda(a.y, 0.001 + b.w))",
          [](const Inputs& i) { return vec4(smithCosLambda(i.a.y, 0.001f + i.b.w)); }},
+        {"phongGlint", "vec4(phongGlint(vec3(3.0), a.w, a.xyz, b.xyz, c.xyz, 1.0 + 20.0 * b.w, 2.0), 0.0)",
+         [](const Inputs& i) {
+             return wide(phongGlint(vec3(3.0f), i.a.w, xyz(i.a), xyz(i.b), xyz(i.c), 1.0f + 20.0f * i.b.w, 2.0f));
+         },
+         1e-4f},
         {"sunGlint", "vec4(sunGlint(vec3(100.0), a.w, a.xyz, b.xyz, c.xyz, 0.001 + b.w * b.w), 0.0)",
          [](const Inputs& i) {
              return wide(sunGlint(vec3(100.0f), i.a.w, xyz(i.a), xyz(i.b), xyz(i.c), 0.001f + i.b.w * i.b.w));

@@ -29,6 +29,11 @@ bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
     return inputs.reflection && !asPublished && options.reflection.method == ReflectionOptions::Method::iterative;
 }
 
+bool showsPhong(const Options& options, const WaterPass::Inputs& inputs)
+{
+    return !inputs.underwater && options.water.specular == WaterOptions::Specular::phong;
+}
+
 bool fadesLinearly(const Options& options, const WaterPass::Inputs& inputs)
 {
     return !inputs.underwater && options.water.attenuation == WaterOptions::Attenuation::linear;
@@ -60,6 +65,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
         defines.emplace_back("FRESNEL_TABLE",
                              options.water.fresnelFilter == optics::TableFilter::linear ? "true" : "false");
     if (inputs.refraction && fadesLinearly(options, inputs)) defines.emplace_back("LINEAR_ATTENUATION", "1");
+    if (showsPhong(options, inputs)) defines.emplace_back("PHONG", "1");
     if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
     if (!inputs.underwater && options.reflection.facets != ReflectionOptions::Facets::one)
         defines.emplace_back("FACETS", options.reflection.facets == ReflectionOptions::Facets::three ? "3" : "5");
@@ -91,6 +97,10 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
         p.set("refractionSteps", options.refraction.steps);
         if (fadesLinearly(options, inputs)) p.set("attenuationLength", options.water.attenuationLength);
+    }
+    if (showsPhong(options, inputs)) {
+        p.set("phongExponent", options.water.phongExponent);
+        p.set("phongStrength", options.water.phongStrength);
     }
     if (inputs.underwater) p.set("refractionDistance", options.underwater.distance);
     if (inputs.reflection) {
