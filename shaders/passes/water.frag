@@ -323,7 +323,7 @@ vec3 reflectedRadiance(vec3 reflected)
 #endif
 }
 
-#ifndef UNDERWATER
+#if !defined(UNDERWATER) && !defined(NO_REFLECTION)
 // What of the light passes the surface, and what is mirrored.
 vec2 fresnelShares(float cosine)
 {
@@ -405,6 +405,9 @@ void main()
     float fresnel = fresnelExact(cosine, ior);
     vec3 refracted = refractRay(-toEye, down, ior); // zero beyond the critical angle, where fresnel is 1
 #endif
+#ifdef NO_REFLECTION
+    fresnel = step(1.0, fresnel); // beyond the critical angle nothing is refracted: the water's own colour is left
+#endif
     vec3 hit = surfaceW;
     float share = 0.0;
     vec3 above = vec3(0.0);
@@ -420,9 +423,13 @@ void main()
 {
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
-    vec3 reflected = reflectedFrom(surface.meanNormal, toEye);
+#ifdef NO_REFLECTION
+    const vec2 shares = vec2(1.0, 0.0);
+    const vec3 mirrored = vec3(0.0);
+#else
     vec2 shares;
     vec3 mirrored = mirroredTowards(toEye, surface, shares);
+#endif
     float fresnel = shares.y;
 
 #ifdef REFRACTION
@@ -438,7 +445,9 @@ void main()
     float path = 0.0;
 #endif
     vec3 radiance = mirrored + radianceThroughSurface(shares.x, ior) * below;
-#ifdef PHONG
+#ifdef NO_REFLECTION
+    // nor the sun
+#elif defined(PHONG)
     radiance += phongGlint(sunIrradiance, shares.y, surface.meanNormal, toEye, sunDirection, phongExponent, phongStrength);
 #else
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
@@ -481,7 +490,13 @@ void main()
     if (share < 0.5) fragment.a = 0.5; // the sky was taken
 #endif
 #elif DEBUG_VIEW == 7
+#ifdef NO_REFLECTION
+    fragment = vec4(0.0); // nothing
+#elif defined(UNDERWATER)
     fragment = shownMirrored(reflected);
+#else
+    fragment = shownMirrored(reflectedFrom(surface.meanNormal, toEye));
+#endif
 #else
     fragment = vec4(radiance, 1.0);
 #endif

@@ -123,7 +123,7 @@ struct Parts {
     {
         const ReflectionOptions& reflection = options().reflection;
         std::function<void(ViewRequest&)> lookup, texels;
-        if (reflection.enabled && !isUnderwater()) {
+        if (options().water.reflects && reflection.enabled && !isUnderwater()) {
             const reference::TargetCamera target =
                 targetCamera(reflectionView(camera, aspect(), settings.water, reflection, false));
             texels = [target, edge = reflection.targetSize](ViewRequest& view) {
@@ -148,6 +148,10 @@ struct Parts {
     void addFresnel()
     {
         const WaterOptions& water = options().water;
+        if (!water.reflects) {
+            add("no reflection", {{"water.reflects", "true"}, {"water.fresnel", "exact"}});
+            return;
+        }
         if (water.fresnel == WaterOptions::Fresnel::table) {
             std::function<void(ViewRequest&)> lookup;
             if (!isUnderwater())

@@ -38,6 +38,9 @@ void visit(FieldVisitor& v, FrameOptions& o)
 void visit(FieldVisitor& v, WaterOptions& o)
 {
     v.field({"enabled", "Draw the water and all that belongs to it; off shows the dry basin"}, o.enabled);
+    v.field({"reflects", "Mirror at all; off shows only what is refracted, with no Fresnel, glint or glow (Lipp's "
+                         "NOREFLECTION)"},
+            o.reflects);
     v.choice({"grid", "Where the vertices of the surface stand: evenly over the water as published, or where the view "
                       "is, closest near the eye"},
              o.grid, waterGridNames);

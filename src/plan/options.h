@@ -24,6 +24,7 @@ struct WaterOptions {
     enum class Specular { physical, phong };
     enum class Grid { uniform, focused };
     bool enabled = true;
+    bool reflects = true;
     Grid grid = Grid::uniform;
     int gridSize = 49;
     int surfaceSteps = 1;

@@ -113,6 +113,47 @@ TEST(PhongHighlight, IsTheFormulasOverTheWholePicture)
     EXPECT_GT(brightest, 0.19); // the mirrored sun is in the picture: F is 0.02
 }
 
+// Straight down all light of the bed passes, but for the beam's spreading; no sky, no sun.
+TEST(NoReflection, ShowsTheRefractedBedAlone)
+{
+    Scene scene = flatLake(3.0f);
+    scene.sun = Sun{vec3(0.0f, 1.0f, 0.0f), vec3(1.0f), false}; // mirrored into the picture's middle
+    Options options = oneSample();
+    options.caustics.enabled = options.sunlight.shadows = false;
+    options.water.reflects = false;
+    Studio studio(scene, options);
+    const vec4 centre = pixel(studio.linear(upright(1.6f), pictureSize), middle.x, middle.y);
+    EXPECT_FALSE(studio.stats.plan[PassId::reflection].wanted);
+    EXPECT_FALSE(studio.stats.plan[PassId::glow].wanted);
+    const double transmitted = 1.0 - optics64::fresnelExact(1.0, 1.0 / 1.33);
+    const double expected = (bedRadiance + 0.5 / std::numbers::pi * transmitted) / (1.33 * 1.33);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(centre[c], expected, 0.005 * expected);
+    EXPECT_EQ(pixel(studio.linear(upright(1.6f), pictureSize, 0.0, DebugView::fresnel), middle.x, middle.y).x, 0.0f);
+    // No pixel claims to have mirrored anything.
+    EXPECT_EQ(pixel(studio.linear(upright(1.6f), pictureSize, 0.0, DebugView::reflectionHit), middle.x, middle.y).w, 0.0f);
+}
+
+// From below: the sky by n² inside Snell's window, the water's colour outside it.
+TEST(NoReflection, FromBelowTheWindowIsWhole)
+{
+    Scene scene = flatLake(3.0f);
+    scene.water.colour = vec3(0.2f);
+    Options options = oneSample();
+    options.water.reflects = false;
+    Studio studio(scene, options);
+    Camera camera = upright(-1.5f);
+    camera.verticalFov = glm::radians(120.0f);
+    const Image image = studio.linear(camera, pictureSize);
+    ASSERT_EQ(studio.stats.plan.side, WaterSide::below);
+    for (int x = 0; x < pictureSize.x; ++x) {
+        const double tangent = (2.0 * (x + 0.5) / pictureSize.x - 1.0) * std::tan(glm::radians(60.0)) * 4.0 / 3.0;
+        const double angle = glm::degrees(std::atan(std::abs(tangent)));
+        if (std::abs(angle - 48.75) < 2.0) continue; // the rim
+        const double expected = angle < 48.75 ? 1.33 * 1.33 : 0.2 * 0.934;
+        EXPECT_NEAR(pixel(image, x, middle.y).x, expected, 0.005 * expected) << angle << " degrees";
+    }
+}
+
 TEST(PhongHighlight, ASunBelowTheHorizonHasNone)
 {
     Scene scene = flatLake(3.0f);

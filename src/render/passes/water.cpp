@@ -31,7 +31,7 @@ bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
 
 bool showsPhong(const Options& options, const WaterPass::Inputs& inputs)
 {
-    return !inputs.underwater && options.water.specular == WaterOptions::Specular::phong;
+    return !inputs.underwater && options.water.reflects && options.water.specular == WaterOptions::Specular::phong;
 }
 
 bool fadesLinearly(const Options& options, const WaterPass::Inputs& inputs)
@@ -41,7 +41,7 @@ bool fadesLinearly(const Options& options, const WaterPass::Inputs& inputs)
 
 bool readsFresnelTable(const Options& options, const WaterPass::Inputs& inputs)
 {
-    return !inputs.underwater && options.water.fresnel == WaterOptions::Fresnel::table;
+    return !inputs.underwater && options.water.reflects && options.water.fresnel == WaterOptions::Fresnel::table;
 }
 
 } // namespace
@@ -59,6 +59,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (options.refraction.method == RefractionOptions::Method::iterative) defines.emplace_back("ITERATIVE", "1");
     if (options.water.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
+    if (!options.water.reflects) defines.emplace_back("NO_REFLECTION", "1");
     defines.emplace_back("SURFACE_STEPS", std::to_string(options.water.surfaceSteps));
     if (options.water.fresnel == WaterOptions::Fresnel::exact) defines.emplace_back("EXACT_FRESNEL", "1");
     if (readsFresnelTable(options, inputs))
@@ -67,7 +68,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (inputs.refraction && fadesLinearly(options, inputs)) defines.emplace_back("LINEAR_ATTENUATION", "1");
     if (showsPhong(options, inputs)) defines.emplace_back("PHONG", "1");
     if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
-    if (!inputs.underwater && options.reflection.facets != ReflectionOptions::Facets::one)
+    if (!inputs.underwater && options.water.reflects && options.reflection.facets != ReflectionOptions::Facets::one)
         defines.emplace_back("FACETS", options.reflection.facets == ReflectionOptions::Facets::three ? "3" : "5");
     auto& program = programs_[defines];
     if (!program) program = shaders_.program("water", "passes/water.vert", "passes/water.frag", defines);
