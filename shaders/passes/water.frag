@@ -4,6 +4,7 @@
 #include "shared/refraction.glsl"
 #include "shared/fresnel_table.glsl"
 #include "shared/waves.glsl"
+#include "shared/normal_map.glsl"
 #include "shared/depth.glsl"
 #include "shared/intersection.glsl"
 #include "shared/reflection.glsl"
@@ -448,7 +449,7 @@ void main()
 #ifdef NO_REFLECTION
     // nor the sun
 #elif defined(PHONG)
-    radiance += phongGlint(sunIrradiance, shares.y, surface.meanNormal, toEye, sunDirection, phongExponent, phongStrength);
+    radiance += phongGlint(sunIrradiance, shares.y, surface.plainNormal, toEye, sunDirection, phongExponent, phongStrength);
 #else
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
     float glintFresnel = fresnelShares(max(dot(toEye, normalize(toEye + sunDirection)), 0.0)).y;

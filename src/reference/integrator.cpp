@@ -125,7 +125,7 @@ vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
     Walk mirrored = walk;
     mirrored.weight *= F;
     mirrored.showsSun = false; // the glint is its image
-    dvec3 R = optics64::reflectRay(ray.direction, n);
+    dvec3 R = world_.water->keptOn(optics64::reflectRay(ray.direction, n), U, true);
     // The frame knows one surface: what is seen in it of further ones is the truth's here.
     const bool isFirst = walk.events == 1 && !walk.isIndirect;
     Random chance = walk.random; // a copy: the path's own numbers stay those of the exact picture
@@ -136,7 +136,7 @@ vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
     Walk passed = walk;
     passed.weight *= 1.0 - F;
     passed.fadesLinearly = isFirst && rough.attenuationLength > 0.0f;
-    dvec3 bent = optics64::refractRay(ray.direction, n, 1.0 / ior);
+    dvec3 bent = world_.water->keptOn(optics64::refractRay(ray.direction, n, 1.0 / ior), U, false);
     if (isFirst && rough.refractionTexels) bent = towardsTexel(*rough.refractionTexels, U, bent, chance);
     const vec3 refracted =
         isFirst && rough.refraction ? lookUpBed(U, bent, passed) : along({U, bent}, Medium::water, passed);
@@ -226,13 +226,15 @@ vec3 Integrator::fromBelow(const Ray& ray, const dvec3& U, Walk walk) const
 
     Walk mirrored = walk;
     mirrored.weight *= F;
-    const vec3 reflected = along({U, optics64::reflectRay(ray.direction, down)}, Medium::water, mirrored);
+    const dvec3 R = world_.water->keptOn(optics64::reflectRay(ray.direction, down), U, false);
+    const vec3 reflected = along({U, R}, Medium::water, mirrored);
     const auto f = static_cast<float>(F);
     if (F >= 1.0) return reflected;
 
     Walk passed = walk;
     passed.weight *= 1.0 - F;
-    const vec3 above = along({U, optics64::refractRay(ray.direction, down, ior)}, Medium::air, passed);
+    const dvec3 bent = world_.water->keptOn(optics64::refractRay(ray.direction, down, ior), U, true);
+    const vec3 above = along({U, bent}, Medium::air, passed);
     return f * reflected + (1.0f - f) * world_.light.ior * world_.light.ior * above;
 }
 

@@ -418,6 +418,7 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .reflectionView = &reflectionView,
                              .skyMap = gpuScene.skyMap(),
                              .ior = water.ior,
+                             .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                              .underwater = isBelow,
                              .view = input.view};
     if (isCrossing) inputs.waterline = sideOfPixels;
@@ -441,7 +442,10 @@ void Renderer::State::drawGlow(const FrameInput& input)
     frame.resolve(); // for its depth
     const ivec2 size = stats.plan[PassId::glow].size;
     FrameStats::Pass& pass = beginPass(PassId::glow, main, size);
-    glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(), .size = size}, pass);
+    glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(),
+                           .size = size,
+                           .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time)},
+                          pass);
     check(PassId::glow, *glow);
 }
 

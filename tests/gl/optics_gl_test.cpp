@@ -73,7 +73,7 @@ protected:
     {
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
-             {"blocks", "refraction", "fresnel_table", "depth", "waves", "intersection", "reflection", "lighting", "tonemap", "sunlight"}) {
+             {"blocks", "refraction", "fresnel_table", "depth", "waves", "normal_map", "intersection", "reflection", "lighting", "tonemap", "sunlight"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
             includes_ += "#include \"" + name + "\"\n";
@@ -349,6 +349,26 @@ TEST_F(OpticsGl, WavesOneByOne)
          }},
         {"waveNormal", "vec4(waveNormal(a.xz), 0.0)",
          [](const Inputs& i) { return wide(waveNormal(vec2(i.a.x, i.a.z))); }},
+    });
+}
+
+TEST_F(OpticsGl, NormalMap)
+{
+    using namespace optics;
+    check({
+        {"normalMapSlope", "vec4(normalMapSlope(normalMapNormal(0.5 + 0.5 * a.xyz) + b.xyz, 0.1 + c.w), 0.0, 0.0)",
+         [](const Inputs& i) {
+             const vec3 sum = normalMapNormal(0.5f + 0.5f * xyz(i.a)) + xyz(i.b);
+             return vec4(normalMapSlope(sum, 0.1f + i.c.w), 0.0f, 0.0f);
+         },
+         1e-5f},
+        {"normalMapRoughness",
+         "vec4(normalMapLostVariance(vec4(a.x, a.y + 0.2, a.z, 40.0 * b.w)), normalMapRoughness(b.w, c.w), 0.0, 0.0)",
+         [](const Inputs& i) {
+             return vec4(normalMapLostVariance(vec4(i.a.x, i.a.y + 0.2f, i.a.z, 40.0f * i.b.w)),
+                         normalMapRoughness(i.b.w, i.c.w), 0.0f, 0.0f);
+         },
+         1e-5f},
     });
 }
 

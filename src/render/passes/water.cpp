@@ -60,6 +60,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (options.water.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
     if (!options.water.reflects) defines.emplace_back("NO_REFLECTION", "1");
+    if (inputs.normalMap) defines.emplace_back("NORMAL_MAP", "1");
     defines.emplace_back("SURFACE_STEPS", std::to_string(options.water.surfaceSteps));
     if (options.water.fresnel == WaterOptions::Fresnel::exact) defines.emplace_back("EXACT_FRESNEL", "1");
     if (readsFresnelTable(options, inputs))
@@ -99,6 +100,7 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         p.set("refractionSteps", options.refraction.steps);
         if (fadesLinearly(options, inputs)) p.set("attenuationLength", options.water.attenuationLength);
     }
+    if (inputs.normalMap) inputs.normalMap.set(p);
     if (showsPhong(options, inputs)) {
         p.set("phongExponent", options.water.phongExponent);
         p.set("phongStrength", options.water.phongStrength);

@@ -5,6 +5,7 @@
 #include "gl/target.h"
 #include "plan/options.h"
 #include "render/fresnel_texture.h"
+#include "render/normal_map.h"
 #include "render/renderer.h"
 #include "render/view.h"
 #include "render/water_grid.h"
@@ -25,6 +26,7 @@ public:
         const View* reflectionView = nullptr;
         const gl::Texture& skyMap;
         float ior = 1.33f;       ///< of the water
+        NormalMapInputs normalMap{};
         bool underwater = false; ///< the surface is seen from below
         const gl::Texture* waterline = nullptr; ///< in a frame that shows both sides: which pixels are whose
         DebugView view = DebugView::final;
