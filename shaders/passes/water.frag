@@ -2,7 +2,6 @@
 // Mihálik 2008, chapter 7. Radiance through the surface keeps the factor 1/n² (seen from above) or n² (from below).
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
-#include "shared/fresnel_table.glsl"
 #include "shared/waves.glsl"
 #include "shared/normal_map.glsl"
 #include "shared/depth.glsl"
@@ -10,6 +9,7 @@
 #include "shared/reflection.glsl"
 #include "shared/lighting.glsl"
 #include "passes/water_surface.glsl"
+#include "passes/water_fresnel.glsl"
 
 uniform samplerCube skyMap;
 #ifdef REFRACTION
@@ -44,10 +44,6 @@ uniform vec2 reflectionNearFar;
 #if DEBUG_VIEW == 7
 uniform mat4 worldFromReflectionView;
 #endif
-#endif
-uniform float schlickExponent; // q of eq. 7
-#ifdef FRESNEL_TABLE
-uniform sampler2D fresnelTable; // FRESNEL_TABLE: whether its texels are blended
 #endif
 #ifdef PHONG
 uniform float phongExponent;
@@ -325,22 +321,6 @@ vec3 reflectedRadiance(vec3 reflected)
 }
 
 #if !defined(UNDERWATER) && !defined(NO_REFLECTION)
-// What of the light passes the surface, and what is mirrored.
-vec2 fresnelShares(float cosine)
-{
-#ifdef FRESNEL_TABLE
-    float place = fresnelTablePlace(cosine, textureSize(fresnelTable, 0).x, FRESNEL_TABLE);
-    return textureLod(fresnelTable, vec2(place, 0.5), 0.0).rg;
-#else
-#ifdef EXACT_FRESNEL
-    float f = fresnelExact(cosine, 1.0 / ior);
-#else
-    float f = fresnelSchlick(cosine, ior, schlickExponent);
-#endif
-    return vec2(1.0 - f, f);
-#endif
-}
-
 vec3 reflectedFrom(vec3 normal, vec3 toEye)
 {
     vec3 reflected = reflectRay(-toEye, normal);
@@ -449,6 +429,7 @@ void main()
 #ifdef NO_REFLECTION
     // nor the sun
 #elif defined(PHONG)
+    // Lipp takes Fresnel's cosine from the plain normal too; here it is that of the surface that mirrors.
     radiance += phongGlint(sunIrradiance, shares.y, surface.plainNormal, toEye, sunDirection, phongExponent, phongStrength);
 #else
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.

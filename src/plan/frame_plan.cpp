@@ -214,7 +214,8 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     plan[PassId::water] = wanted(bySide("the surface is in the view",
                                         "the surface cuts the near plane: drawn from both sides",
                                         "the surface seen from below"),
-                                 size * options.frame.supersampling, "scene, refraction, reflection");
+                                 size * options.frame.supersampling,
+                                 options.water.reflects ? "scene, refraction, reflection" : "scene, refraction");
     plan[PassId::refraction] =
         options.refraction.enabled
             ? wanted(bySide("the bed under the surface", "both the bed and, from below, what stands over the water",
