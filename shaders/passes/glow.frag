@@ -2,6 +2,7 @@
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/waves.glsl"
+#include "shared/normal_map.glsl"
 #include "shared/depth.glsl"
 #include "passes/water_surface.glsl"
 

@@ -3,11 +3,13 @@
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/waves.glsl"
+#include "shared/normal_map.glsl"
 #include "shared/depth.glsl"
 #include "shared/intersection.glsl"
 #include "shared/reflection.glsl"
 #include "shared/lighting.glsl"
 #include "passes/water_surface.glsl"
+#include "passes/water_fresnel.glsl"
 
 uniform samplerCube skyMap;
 #ifdef REFRACTION
@@ -18,6 +20,9 @@ uniform mat4 refractionClipFromView;
 uniform vec2 refractionNearFar;
 uniform mat4 worldFromRefractionView;
 uniform int refractionSteps;
+#endif
+#ifdef LINEAR_ATTENUATION
+uniform float attenuationLength; // m
 #endif
 #ifdef UNDERWATER
 uniform float refractionDistance; // m of eq. 13
@@ -40,7 +45,10 @@ uniform vec2 reflectionNearFar;
 uniform mat4 worldFromReflectionView;
 #endif
 #endif
-uniform float schlickExponent; // q of eq. 7
+#ifdef PHONG
+uniform float phongExponent;
+uniform float phongStrength;
+#endif
 
 #ifdef WATERLINE
 uniform sampler2D waterline; // which pixels are under water, and which on the line: waterline.frag
@@ -122,6 +130,18 @@ vec4 shownFor(vec3 hitW)
 }
 #endif
 
+#ifndef UNDERWATER
+// What the water lets through of the bed's light on its way to the surface.
+vec3 letThrough(float path)
+{
+#ifdef LINEAR_ATTENUATION
+    return vec3(linearAttenuation(path, attenuationLength));
+#else
+    return beerLambert(absorption, path);
+#endif
+}
+#endif
+
 #ifdef FLAT_CAMERA
 // Section 7.1 in world space. Points are written (x, z, y), so that the third coordinate, which intersection.glsl
 // compares, is the height: a refracted ray only goes down, and what lies lower is behind.
@@ -150,7 +170,7 @@ Transmitted lookupBed(vec3 refracted)
     t.hitW = hit.xzy;
     t.path = distance(seen, u);
     vec3 bed = texture(refractionColour, flatTexel(t.hitW - look.beside)).rgb;
-    t.radiance = radianceThroughWater(bed, deepRadiance, beerLambert(absorption, t.path)); // eq. 5
+    t.radiance = radianceThroughWater(bed, deepRadiance, letThrough(t.path)); // eq. 5
     return t;
 }
 #elif !defined(UNDERWATER)
@@ -174,7 +194,7 @@ Transmitted lookupBed(vec3 refracted)
     t.hitW = (worldFromRefractionView * vec4(hit, 1.0)).xyz;
     t.path = distance(seen, u);
     vec3 bed = texture(refractionColour, refractionTexel(hit)).rgb;
-    t.radiance = radianceThroughWater(bed, deepRadiance, beerLambert(absorption, t.path)); // eq. 5
+    t.radiance = radianceThroughWater(bed, deepRadiance, letThrough(t.path)); // eq. 5
     return t;
 }
 #endif
@@ -300,16 +320,7 @@ vec3 reflectedRadiance(vec3 reflected)
 #endif
 }
 
-#ifndef UNDERWATER
-float reflectance(float cosine)
-{
-#ifdef EXACT_FRESNEL
-    return fresnelExact(cosine, 1.0 / ior);
-#else
-    return fresnelSchlick(cosine, ior, schlickExponent);
-#endif
-}
-
+#if !defined(UNDERWATER) && !defined(NO_REFLECTION)
 vec3 reflectedFrom(vec3 normal, vec3 toEye)
 {
     vec3 reflected = reflectRay(-toEye, normal);
@@ -317,15 +328,15 @@ vec3 reflectedFrom(vec3 normal, vec3 toEye)
     return reflected;
 }
 
-// Reflectance, and the radiance that the surface mirrors, both of a pixel.
+// What the surface lets through and what it mirrors, as shares, and the mirrored radiance, all of a pixel.
 //
 // FACETS: waves that a pixel cannot show still tilt its surface. Their slopes along the line of sight, which is where
 // they matter (a grazing view sees the facets that lean towards it, so that far water mirrors more of the sky and less
 // of the shore), are normal; a Gauss-Hermite rule of 3 or 5 of them stands for all. Each counts with the area that the
 // eye sees of it, as in the masked slopes of Ross et al. 2005.
-vec3 mirroredTowards(vec3 toEye, Surface surface, out float fresnel)
+vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 shares)
 {
-    fresnel = reflectance(max(dot(toEye, surface.meanNormal), 0.0)); // E·N; a crest's far side is seen edge-on
+    shares = fresnelShares(max(dot(toEye, surface.meanNormal), 0.0)); // E·N; a crest's far side is seen edge-on
 #ifdef FACETS
 #if FACETS == 3
     const vec2 rule[3] = vec2[3](vec2(0.0, 0.6666667), vec2(1.7320508, 0.1666667), vec2(-1.7320508, 0.1666667));
@@ -338,24 +349,25 @@ vec3 mirroredTowards(vec3 toEye, Surface surface, out float fresnel)
         vec2 slope = -surface.meanNormal.xz / surface.meanNormal.y;
         vec2 across = normalize(toEye.xz + vec2(1.0e-6, 0.0));
         vec3 sum = vec3(0.0);
-        float shares = 0.0, weights = 0.0;
+        float reflected = 0.0, weights = 0.0;
         for (int i = 0; i < FACETS; ++i) {
             vec3 n = waveNormal(slope + rule[i].x * deviation * across);
             float facing = dot(toEye, n);
             if (facing <= 0.0) continue;
             float weight = rule[i].y * facing / n.y;
-            float share = weight * reflectance(facing);
+            float share = weight * fresnelShares(facing).y;
             sum += share * reflectedRadiance(reflectedFrom(n, toEye));
-            shares += share;
+            reflected += share;
             weights += weight;
         }
         if (weights > 0.0) {
-            fresnel = shares / weights;
+            float mean = reflected / weights;
+            shares = vec2(1.0 - mean, mean);
             return sum / weights;
         }
     }
 #endif
-    return fresnel * reflectedRadiance(reflectedFrom(surface.meanNormal, toEye));
+    return shares.y * reflectedRadiance(reflectedFrom(surface.meanNormal, toEye));
 }
 #endif
 
@@ -374,6 +386,9 @@ void main()
     float fresnel = fresnelExact(cosine, ior);
     vec3 refracted = refractRay(-toEye, down, ior); // zero beyond the critical angle, where fresnel is 1
 #endif
+#ifdef NO_REFLECTION
+    fresnel = step(1.0, fresnel); // beyond the critical angle nothing is refracted: the water's own colour is left
+#endif
     vec3 hit = surfaceW;
     float share = 0.0;
     vec3 above = vec3(0.0);
@@ -389,9 +404,14 @@ void main()
 {
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
-    vec3 reflected = reflectedFrom(surface.meanNormal, toEye);
-    float fresnel;
-    vec3 mirrored = mirroredTowards(toEye, surface, fresnel);
+#ifdef NO_REFLECTION
+    const vec2 shares = vec2(1.0, 0.0);
+    const vec3 mirrored = vec3(0.0);
+#else
+    vec2 shares;
+    vec3 mirrored = mirroredTowards(toEye, surface, shares);
+#endif
+    float fresnel = shares.y;
 
 #ifdef REFRACTION
     // What is mirrored is a mean over the pixel's facets. What is seen through them is that of the facet in its middle: one
@@ -405,10 +425,17 @@ void main()
     vec3 hit = surfaceW;
     float path = 0.0;
 #endif
-    vec3 radiance = mirrored + radianceThroughSurface(1.0 - fresnel, ior) * below;
+    vec3 radiance = mirrored + radianceThroughSurface(shares.x, ior) * below;
+#ifdef NO_REFLECTION
+    // nor the sun
+#elif defined(PHONG)
+    // Lipp takes Fresnel's cosine from the plain normal too; here it is that of the surface that mirrors.
+    radiance += phongGlint(sunIrradiance, shares.y, surface.plainNormal, toEye, sunDirection, phongExponent, phongStrength);
+#else
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
-    float glintFresnel = reflectance(max(dot(toEye, normalize(toEye + sunDirection)), 0.0));
+    float glintFresnel = fresnelShares(max(dot(toEye, normalize(toEye + sunDirection)), 0.0)).y;
     radiance += sunGlint(sunIrradiance, glintFresnel, surface.meanNormal, toEye, sunDirection, surface.roughness);
+#endif
 #endif
 
 #ifdef WATERLINE
@@ -445,7 +472,13 @@ void main()
     if (share < 0.5) fragment.a = 0.5; // the sky was taken
 #endif
 #elif DEBUG_VIEW == 7
+#ifdef NO_REFLECTION
+    fragment = vec4(0.0); // nothing
+#elif defined(UNDERWATER)
     fragment = shownMirrored(reflected);
+#else
+    fragment = shownMirrored(reflectedFrom(surface.meanNormal, toEye));
+#endif
 #else
     fragment = vec4(radiance, 1.0);
 #endif

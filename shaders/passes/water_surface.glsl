@@ -1,4 +1,5 @@
-// The point U of the water's surface that a fragment shows, for the passes that draw it. Needs blocks.glsl and waves.glsl.
+// The point U of the water's surface that a fragment shows, for the passes that draw it. Needs blocks.glsl, waves.glsl and
+// normal_map.glsl.
 
 in vec3 drawnW; // what the grid's triangle shows
 #ifdef VERTEX_NORMALS
@@ -11,6 +12,7 @@ struct Surface {
     vec3 normal;     // N, up: of all waves, at U
     vec3 meanNormal; // of the waves that a pixel can show: about it lie the facets that mirror into the pixel
     float roughness; // slope variance of the others
+    vec3 plainNormal; // the same as meanNormal, but for the normal map's bump factor
 };
 
 #if SURFACE_STEPS > 0
@@ -32,6 +34,42 @@ void moveToWaves()
         moved = clamp(moved - side * gap / max(rate, least), -0.25 * far, 0.25 * far);
         surfaceW = drawnW + moved * direction;
     }
+}
+#endif
+
+#ifdef NORMAL_MAP
+uniform sampler2D normalMap; // RGB: normals, -1 to 1; A: half the square of their slope
+uniform float normalMapTile; // m
+uniform float normalMapBump;
+uniform vec2 normalMapOffsets[4];
+
+vec2 slopeOf(vec3 normal) { return -normal.xz / normal.y; }
+
+// The normal map's slopes on top of the waves': those of the finest texels for the normal at U, those that a pixel can
+// show for the mean one, and what these have lost as roughness.
+void addRipples(inout Surface s)
+{
+    vec2 across = dFdx(drawnW.xz) / normalMapTile, along = dFdy(drawnW.xz) / normalMapTile;
+    vec3 sum = vec3(0.0), meanSum = vec3(0.0);
+    float lost = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 place = surfaceW.xz / normalMapTile + normalMapOffsets[i];
+        sum += textureLod(normalMap, place, 0.0).xyz;
+#ifdef FILTER_WAVES
+        vec4 mean = textureGrad(normalMap, place, across, along);
+        meanSum += mean.xyz;
+        lost += normalMapLostVariance(mean);
+#endif
+    }
+#ifdef FILTER_WAVES
+    s.roughness += normalMapRoughness(lost, normalMapBump);
+#else
+    meanSum = sum;
+#endif
+    vec2 meanSlope = slopeOf(s.meanNormal);
+    s.normal = waveNormal(slopeOf(s.normal) + normalMapSlope(sum, normalMapBump));
+    s.meanNormal = waveNormal(meanSlope + normalMapSlope(meanSum, normalMapBump));
+    s.plainNormal = waveNormal(meanSlope + normalMapSlope(meanSum, 1.0));
 }
 #endif
 
@@ -67,6 +105,10 @@ Surface surfaceHere()
 #ifdef FILTER_WAVES
     s.meanNormal = waveNormal(meanSlope);
 #endif
+#endif
+    s.plainNormal = s.meanNormal;
+#ifdef NORMAL_MAP
+    addRipples(s);
 #endif
     return s;
 }

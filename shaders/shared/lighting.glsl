@@ -148,3 +148,19 @@ SHARED vec3 sunGlint(vec3 irradiance, float fresnel, vec3 normal, vec3 toEye, ve
     float masking = cosSun * eyeTerm + cosEye * smithCosLambda(cosSun, alpha);
     return irradiance * (fresnel * min(slopes * cosSun / (4.0 * masking), 1.0 / sunSolidAngle));
 }
+
+// Lipp's highlight of the sun (shader documentation, section 2): Phong's lobe about the mirrored light, with a strength,
+// added to what the surface mirrors.
+//
+// Not on the honest scale. Lipp's light has a colour of the screen's 0..1, where 1 is what a white wall in the light
+// shows; here that is the radiance of a white diffuse surface that faces the sun, irradiance / pi. The lobe keeps no
+// energy: a larger exponent makes it narrower and not brighter, and the width has nothing to do with the waves.
+// fresnel: what the surface mirrors of all it mirrors; normal: of the waves, unsteepened; exponent: > 0.
+SHARED vec3 phongGlint(vec3 irradiance, float fresnel, vec3 normal, vec3 toEye, vec3 toSun, float exponent, float strength)
+{
+    if (dot(normal, toSun) <= 0.0) return vec3(0.0);
+    vec3 mirrored = reflectRay(-toSun, normal);
+    // GLSL leaves 0 to a power undefined.
+    float lobe = pow(clamp(dot(mirrored, toEye), 1.0e-6, 1.0), exponent);
+    return irradiance * (fresnel * strength * lobe / lightPi);
+}

@@ -66,8 +66,15 @@ SHARED vec3 beerLambert(vec3 absorption, float metres)
     return exp(-absorption * max(metres, 0.0));
 }
 
+// The same after Lipp's shader documentation, section 2: less in proportion to the path, alike for all colours, and none
+// from `fade` metres on. fade: > 0.
+SHARED float linearAttenuation(float metres, float fade)
+{
+    return 1.0 - clamp(metres / fade, 0.0, 1.0);
+}
+
 // Radiance after a stretch of water that glows with the radiance of infinitely deep water (Mihálik 2008, eqs. 5, 10).
-// attenuation: beerLambert of the stretch.
+// attenuation: beerLambert or linearAttenuation of the stretch.
 SHARED vec3 radianceThroughWater(vec3 radiance, vec3 deepRadiance, vec3 attenuation)
 {
     return deepRadiance + attenuation * (radiance - deepRadiance);

@@ -123,7 +123,7 @@ struct Parts {
     {
         const ReflectionOptions& reflection = options().reflection;
         std::function<void(ViewRequest&)> lookup, texels;
-        if (reflection.enabled && !isUnderwater()) {
+        if (options().water.reflects && reflection.enabled && !isUnderwater()) {
             const reference::TargetCamera target =
                 targetCamera(reflectionView(camera, aspect(), settings.water, reflection, false));
             texels = [target, edge = reflection.targetSize](ViewRequest& view) {
@@ -148,11 +148,38 @@ struct Parts {
     void addFresnel()
     {
         const WaterOptions& water = options().water;
+        if (!water.reflects) {
+            add("no reflection", {{"water.reflects", "true"}, {"water.fresnel", "exact"}});
+            return;
+        }
+        if (water.fresnel == WaterOptions::Fresnel::table) {
+            std::function<void(ViewRequest&)> lookup;
+            if (!isUnderwater())
+                lookup = [table = optics::makeFresnelTable(settings.water.ior, water.fresnelTable,
+                                                           water.fresnelFilter)](ViewRequest& view) {
+                    view.approximations.fresnelTable = table;
+                };
+            add("Fresnel's table", {{"water.fresnel", "exact"}}, lookup);
+            return;
+        }
         const float exponent = water.fresnel == WaterOptions::Fresnel::schlick ? water.schlickExponent : 0.0f;
         std::function<void(ViewRequest&)> schlick;
         if (!isUnderwater())
             schlick = [exponent](ViewRequest& view) { view.approximations.schlickExponent = exponent; };
         add("Schlick's Fresnel", {{"water.fresnel", "exact"}}, schlick);
+    }
+
+    /// Only where it is there: a budget of the exponential has nothing to say of it.
+    void addAttenuation()
+    {
+        const WaterOptions& water = options().water;
+        if (water.attenuation == WaterOptions::Attenuation::exponential) return;
+        std::function<void(ViewRequest&)> linear;
+        if (!isUnderwater())
+            linear = [length = water.attenuationLength](ViewRequest& view) {
+                view.approximations.attenuationLength = length;
+            };
+        add("linear attenuation", {{"water.attenuation", "exponential"}}, linear);
     }
 
     void addSun()
@@ -217,6 +244,7 @@ std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings
     parts.addRefraction();
     parts.addReflection();
     parts.addFresnel();
+    parts.addAttenuation();
     parts.addSun();
     parts.addFrame();
     return std::move(parts.list);

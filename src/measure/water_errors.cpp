@@ -121,7 +121,7 @@ std::optional<double> errorAt(ErrorKind kind, const WaterQuantities& used, const
     case ErrorKind::refraction:
         return hit ? std::optional(refractionError(used, truth, pixel)) : std::nullopt;
     case ErrorKind::reflection:
-        return reflectionError(used, truth, pixel);
+        return used.reflects ? std::optional(reflectionError(used, truth, pixel)) : std::nullopt;
     case ErrorKind::fresnel:
         return std::abs(static_cast<double>(used.fresnel[pixel]) - static_cast<double>(truth.fresnel[pixel]));
     case ErrorKind::path:

@@ -54,6 +54,7 @@ WaterQuantities readQuantities(Renderer& renderer, const Camera& camera, double 
 {
     WaterQuantities q(size);
     q.eye = camera.eye;
+    q.reflects = renderer.options().water.reflects;
     FrameInput frame{camera, time, size};
     renderer.render(frame);
     q.display = renderer.readDisplay();

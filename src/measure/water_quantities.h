@@ -34,6 +34,7 @@ struct WaterQuantities {
     std::vector<std::uint8_t> hasSample;     ///< 1 where the target holds something at W's pixel
     std::vector<vec3> mirrored;              ///< the point that the reflection shows, or the direction of its sky
     std::vector<std::uint8_t> mirrorsSky;    ///< 1 where it is the direction
+    bool reflects = true; ///< water.reflects: else nothing is mirrored, and no error of it is known
     std::vector<float> fresnel;
     std::vector<float> waterPath;            ///< m: |A - U|, or from the eye to U when that is under water
     TexelFootprint footprint;

@@ -129,6 +129,7 @@ std::string whyNoGlow(const Scene& scene, const FramePlan& plan, const Options& 
 {
     if (!options.glow.enabled) return "glow.enabled is off";
     if (options.glow.strength == 0.0f) return "glow.strength is 0";
+    if (!options.water.reflects) return "water.reflects is off: no sun is mirrored";
     if (!scene.sun) return "the scene has no sun";
     if (scene.sun->direction.y <= 0.0f) return "the sun is below the horizon";
     if (plan.side == WaterSide::below) return "the eye is under water";
@@ -213,7 +214,8 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     plan[PassId::water] = wanted(bySide("the surface is in the view",
                                         "the surface cuts the near plane: drawn from both sides",
                                         "the surface seen from below"),
-                                 size * options.frame.supersampling, "scene, refraction, reflection");
+                                 size * options.frame.supersampling,
+                                 options.water.reflects ? "scene, refraction, reflection" : "scene, refraction");
     plan[PassId::refraction] =
         options.refraction.enabled
             ? wanted(bySide("the bed under the surface", "both the bed and, from below, what stands over the water",
@@ -221,7 +223,9 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
                      ivec2(options.refraction.targetSize), "")
             : unwanted("refraction.enabled is off: the water shows its own colour");
     plan[PassId::reflection] =
-        options.reflection.enabled
+        !options.water.reflects
+            ? unwanted("water.reflects is off: the surface shows only what is refracted")
+        : options.reflection.enabled
             ? wanted(bySide("what the surface mirrors", "what the surface mirrors, from above and from below",
                             "the bed mirrored in the surface from below"),
                      ivec2(options.reflection.targetSize), "")

@@ -14,7 +14,10 @@ constexpr std::array waterGridNames{"uniform", "focused"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative"};
 constexpr std::array refractionCameraNames{"main", "snell", "flat"};
-constexpr std::array fresnelNames{"schlick", "exact"};
+constexpr std::array fresnelNames{"schlick", "table", "exact"};
+constexpr std::array attenuationNames{"exponential", "linear"};
+constexpr std::array specularNames{"physical", "phong"};
+constexpr std::array tableFilterNames{"nearest", "linear"};
 constexpr std::array reflectionMethodNames{"distance", "iterative"};
 constexpr std::array facetsNames{"one", "three", "five"};
 constexpr std::array causticsMethodNames{"cpu", "points", "fetch", "mesh"};
@@ -35,6 +38,9 @@ void visit(FieldVisitor& v, FrameOptions& o)
 void visit(FieldVisitor& v, WaterOptions& o)
 {
     v.field({"enabled", "Draw the water and all that belongs to it; off shows the dry basin"}, o.enabled);
+    v.field({"reflects", "Mirror at all; off shows only what is refracted, with no Fresnel, glint or glow (Lipp's "
+                         "NOREFLECTION)"},
+            o.reflects);
     v.choice({"grid", "Where the vertices of the surface stand: evenly over the water as published, or where the view "
                       "is, closest near the eye"},
              o.grid, waterGridNames);
@@ -48,13 +54,29 @@ void visit(FieldVisitor& v, WaterOptions& o)
     v.field(
         {"filter_waves", "Fade waves that are shorter than a pixel into the roughness of what is mirrored"},
         o.filterWaves);
-    v.choice({"fresnel", "Reflectance seen from above: exact, or by Schlick's formula as published"}, o.fresnel,
-             fresnelNames);
+    v.choice({"fresnel", "Reflectance seen from above: exact, from a table of that over the cosine (Lipp), or by Schlick's "
+                         "formula (Mihalik 2008)"},
+             o.fresnel, fresnelNames);
     v.field({"schlick_exponent", "q of Schlick's Fresnel (Mihalik 2008, eq. 7)", "", 0.5, 20.0},
             o.schlickExponent);
+    v.field({"fresnel_table", "Texels of the table of Fresnel's reflectance", "texels", 16, 4096}, o.fresnelTable);
+    v.choice({"fresnel_filter", "How that table is read: the nearest texel as published, or texels blended"},
+             o.fresnelFilter, tableFilterNames);
+    v.choice({"attenuation", "How the bed seen from above fades into the water's colour along its ray: by absorption, or "
+                             "linearly and alike for all colours as Lipp has it. Light's way down to the bed, and what "
+                             "an eye under water sees, stay exponential"},
+             o.attenuation, attenuationNames);
+    v.field({"attenuation_length", "Path at which the linear fade ends in the water's colour alone", "m", 0.01, 10000.0},
+            o.attenuationLength);
     v.field({"sun_roughness", "Deviation of the slope of waves too small to model: width of the sun's glint",
              "", 0.001, 0.5},
             o.sunRoughness);
+    v.choice({"specular", "The sun's image on the surface: the glint of its radiance on waves too small to model, or Lipp's "
+                          "Phong highlight, which is on no honest scale: its light's colour is the radiance of a white "
+                          "diffuse surface that faces the sun"},
+             o.specular, specularNames);
+    v.field({"phong_exponent", "Exponent of the Phong highlight", "", 1.0, 10000.0}, o.phongExponent);
+    v.field({"phong_strength", "Factor on the Phong highlight, before Fresnel", "", 0.0, 1000.0}, o.phongStrength);
 }
 
 void visit(FieldVisitor& v, RefractionOptions& o)

@@ -3,6 +3,7 @@
 
 #include "base/fields.h"
 #include "base/math.h"
+#include "optics/fresnel_table.h"
 
 namespace tarn {
 
@@ -18,9 +19,12 @@ struct FrameOptions {
 
 struct WaterOptions {
     enum class Normals { pixel, vertex };
-    enum class Fresnel { schlick, exact };
+    enum class Fresnel { schlick, table, exact };
+    enum class Attenuation { exponential, linear };
+    enum class Specular { physical, phong };
     enum class Grid { uniform, focused };
     bool enabled = true;
+    bool reflects = true;
     Grid grid = Grid::uniform;
     int gridSize = 49;
     int surfaceSteps = 1;
@@ -28,7 +32,14 @@ struct WaterOptions {
     bool filterWaves = true;
     Fresnel fresnel = Fresnel::exact;
     float schlickExponent = 5.0f;
+    int fresnelTable = 1024;
+    optics::TableFilter fresnelFilter = optics::TableFilter::nearest;
+    Attenuation attenuation = Attenuation::exponential;
+    float attenuationLength = 7.5f;
     float sunRoughness = 0.02f;
+    Specular specular = Specular::physical;
+    float phongExponent = 256.0f;
+    float phongStrength = 2.0f;
 };
 
 enum class DepthFormat { depth16, depth24, depth32f };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/math.h"
+#include "optics/fresnel_table.h"
 
 #include <optional>
 #include <vector>
@@ -41,6 +42,8 @@ struct ShadowTexels {
 /// surface from above, at its ray's first meeting with it.
 struct Approximations {
     float schlickExponent = 0.0f; ///< > 0: Fresnel by Schlick
+    float attenuationLength = 0.0f; ///< > 0: the bed fades linearly over so many metres from the surface
+    std::optional<optics::FresnelTable> fresnelTable; ///< Fresnel from a table
 
     std::optional<TargetCamera> refraction; ///< the bed is what this camera sees where W is
     int refractionSteps = 0;       ///< looks that the search for W takes (Mihálik 2008, 7.1); 0: the true W

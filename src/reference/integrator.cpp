@@ -66,8 +66,7 @@ vec3 Integrator::along(const Ray& ray, Medium medium, Walk walk) const
     const vec3 radiance = meeting->hit ? shade(ray, *meeting->hit, medium, walk)
                                        : atSurface(ray, meeting->distance, medium, walk);
     if (!isWet) return radiance;
-    const vec3 a = optics::beerLambert(world_.light.absorption, static_cast<float>(meeting->distance));
-    return optics::radianceThroughWater(radiance, deep, a);
+    return optics::radianceThroughWater(radiance, deep, letThrough(meeting->distance, walk.fadesLinearly));
 }
 
 vec3 Integrator::atSurface(const Ray& ray, double distance, Medium medium, Walk walk) const
@@ -77,6 +76,7 @@ vec3 Integrator::atSurface(const Ray& ray, double distance, Medium medium, Walk 
         return vec3(0.0f);
     }
     ++walk.events;
+    walk.fadesLinearly = false;
     const dvec3 U = ray.origin + distance * ray.direction;
     return medium == Medium::air ? fromAbove(ray, U, walk) : fromBelow(ray, U, walk);
 }
@@ -95,20 +95,37 @@ vec3 Integrator::glint(const dvec3& U, const dvec3& n, const vec3& toEye) const
     return world_.geometry.occluded({U, dvec3(light.sunDirection)}, 1e-3, farthest) ? vec3(0.0f) : radiance;
 }
 
+/// What water lets through on a path, m.
+vec3 Integrator::letThrough(double path, bool fadesLinearly) const
+{
+    const auto metres = static_cast<float>(path);
+    if (fadesLinearly) return vec3(optics::linearAttenuation(metres, world_.approximations.attenuationLength));
+    return optics::beerLambert(world_.light.absorption, metres);
+}
+
+/// Of the surface seen from above.
+double Integrator::reflectance(double cosine) const
+{
+    const double ior = world_.light.ior;
+    const Approximations& rough = world_.approximations;
+    if (rough.fresnelTable) return static_cast<double>(rough.fresnelTable->at(static_cast<float>(cosine)).y);
+    if (rough.schlickExponent > 0.0f)
+        return optics64::fresnelSchlick(cosine, ior, static_cast<double>(rough.schlickExponent));
+    return optics64::fresnelExact(cosine, 1.0 / ior);
+}
+
 vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
 {
     const dvec3 n = world_.water->normal(U.x, U.z);
     const double cosine = std::max(-glm::dot(n, ray.direction), 0.0);
     const double ior = world_.light.ior;
     const Approximations& rough = world_.approximations;
-    const double F = rough.schlickExponent > 0.0f
-                         ? optics64::fresnelSchlick(cosine, ior, static_cast<double>(rough.schlickExponent))
-                         : optics64::fresnelExact(cosine, 1.0 / ior);
+    const double F = reflectance(cosine);
 
     Walk mirrored = walk;
     mirrored.weight *= F;
     mirrored.showsSun = false; // the glint is its image
-    dvec3 R = optics64::reflectRay(ray.direction, n);
+    dvec3 R = world_.water->keptOn(optics64::reflectRay(ray.direction, n), U, true);
     // The frame knows one surface: what is seen in it of further ones is the truth's here.
     const bool isFirst = walk.events == 1 && !walk.isIndirect;
     Random chance = walk.random; // a copy: the path's own numbers stay those of the exact picture
@@ -118,7 +135,8 @@ vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
 
     Walk passed = walk;
     passed.weight *= 1.0 - F;
-    dvec3 bent = optics64::refractRay(ray.direction, n, 1.0 / ior);
+    passed.fadesLinearly = isFirst && rough.attenuationLength > 0.0f;
+    dvec3 bent = world_.water->keptOn(optics64::refractRay(ray.direction, n, 1.0 / ior), U, false);
     if (isFirst && rough.refractionTexels) bent = towardsTexel(*rough.refractionTexels, U, bent, chance);
     const vec3 refracted =
         isFirst && rough.refraction ? lookUpBed(U, bent, passed) : along({U, bent}, Medium::water, passed);
@@ -182,8 +200,7 @@ vec3 Integrator::lookUpBed(const dvec3& U, const dvec3& refracted, Walk walk) co
     walk.length += glm::distance(U, seen.point);
     const bool isWet = seen.point.y < world_.water->level();
     const vec3 bed = shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, walk);
-    const vec3 a = optics::beerLambert(world_.light.absorption, static_cast<float>(glm::distance(A, U)));
-    return optics::radianceThroughWater(bed, deep, a);
+    return optics::radianceThroughWater(bed, deep, letThrough(glm::distance(A, U), walk.fadesLinearly));
 }
 
 vec3 Integrator::lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) const
@@ -209,13 +226,15 @@ vec3 Integrator::fromBelow(const Ray& ray, const dvec3& U, Walk walk) const
 
     Walk mirrored = walk;
     mirrored.weight *= F;
-    const vec3 reflected = along({U, optics64::reflectRay(ray.direction, down)}, Medium::water, mirrored);
+    const dvec3 R = world_.water->keptOn(optics64::reflectRay(ray.direction, down), U, false);
+    const vec3 reflected = along({U, R}, Medium::water, mirrored);
     const auto f = static_cast<float>(F);
     if (F >= 1.0) return reflected;
 
     Walk passed = walk;
     passed.weight *= 1.0 - F;
-    const vec3 above = along({U, optics64::refractRay(ray.direction, down, ior)}, Medium::air, passed);
+    const dvec3 bent = world_.water->keptOn(optics64::refractRay(ray.direction, down, ior), U, true);
+    const vec3 above = along({U, bent}, Medium::air, passed);
     return f * reflected + (1.0f - f) * world_.light.ior * world_.light.ior * above;
 }
 
@@ -296,6 +315,7 @@ vec3 Integrator::gathered(const SurfacePoint& point, Medium medium, Walk walk) c
 {
     ++walk.bounces;
     walk.isIndirect = true;
+    walk.fadesLinearly = false;
     walk.weight *= std::max({point.albedo.x, point.albedo.y, point.albedo.z});
     walk.events = 0; // a new start: the limit is that of one path between surfaces
     const dvec3 n(glm::dot(point.normal, point.geometricNormal) > 0.0f ? point.normal : point.geometricNormal);

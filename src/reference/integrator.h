@@ -49,6 +49,7 @@ private:
         int events = 0;      ///< meetings with the surface
         int bounces = 0;     ///< diffuse reflections
         bool showsSun = true; ///< the sun's disc is seen where the ray ends in the sky
+        bool fadesLinearly = false; ///< on its way from the surface to the bed: an approximation
         bool isIndirect = false; ///< light that a surface gathers: sky and sun are counted elsewhere
     };
     struct Meeting {
@@ -69,6 +70,8 @@ private:
     vec3 sunInAir(const SurfacePoint& point, const vec3& toEye, Walk& walk) const;
     vec3 sunInWater(const SurfacePoint& point, const vec3& toEye, double footprint) const;
     vec3 gathered(const SurfacePoint& point, Medium medium, Walk walk) const;
+    double reflectance(double cosine) const;
+    vec3 letThrough(double path, bool fadesLinearly) const;
     vec3 glint(const dvec3& U, const dvec3& n, const vec3& toEye) const;
     vec3 skyAlong(const dvec3& direction, const Walk& walk) const;
     std::optional<vec3> causticsAt(const dvec3& position, double footprint) const;

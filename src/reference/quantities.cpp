@@ -39,10 +39,11 @@ void Integrator::lightQueries(const Ray& ray, double pixelAngle, std::vector<Lig
         const dvec3 up = world_.water->normal(point.x, point.z);
         const dvec3 n = isWet ? -up : up;
         const double ior = world_.light.ior;
-        open.push_back({{point, optics64::reflectRay(step.ray.direction, n)}, step.medium, length, step.events + 1});
+        const dvec3 mirrored = world_.water->keptOn(optics64::reflectRay(step.ray.direction, n), point, !isWet);
+        open.push_back({{point, mirrored}, step.medium, length, step.events + 1});
         const dvec3 bent = optics64::refractRay(step.ray.direction, n, isWet ? ior : 1.0 / ior);
         if (bent == dvec3(0.0)) continue;
-        open.push_back({{point, bent}, isWet ? Medium::air : Medium::water, length, step.events + 1});
+        open.push_back({{point, world_.water->keptOn(bent, point, isWet)}, isWet ? Medium::air : Medium::water, length, step.events + 1});
     }
 }
 
@@ -93,10 +94,12 @@ void Integrator::quantities(const Ray& ray, double pixelAngle, Picture& picture,
         return hit->distance;
     };
 
-    follow(optics64::reflectRay(ray.direction, n), medium, Event::reflectionHit, reflectionWater,
+    const auto keptOn = [&](const dvec3& direction, bool above) { return world_.water->keptOn(direction, U, above); };
+    follow(keptOn(optics64::reflectRay(ray.direction, n), !isBelow), medium, Event::reflectionHit, reflectionWater,
            picture.reflectionHit);
-    const dvec3 bent = optics64::refractRay(ray.direction, n, eta);
-    if (bent == dvec3(0.0)) return;
+    const dvec3 refracted = optics64::refractRay(ray.direction, n, eta);
+    if (refracted == dvec3(0.0)) return;
+    const dvec3 bent = keptOn(refracted, isBelow);
     set(picture, pixel, Event::refracted);
     const double distance = follow(bent, isBelow ? Medium::air : Medium::water, Event::refractionHit, refractionWater,
                                    picture.refractionHit);

@@ -82,7 +82,13 @@ struct Tracer::State {
     std::optional<WaterSurface> surface(const ViewRequest& view) const
     {
         if (!body.present) return std::nullopt;
-        return WaterSurface(body, view.time, grid(view, view.gridSize), grid(view, view.normalGridSize));
+        return WaterSurface(body, view.time, grid(view, view.gridSize), grid(view, view.normalGridSize), normalMap());
+    }
+    /// Null when the water has none.
+    const Image* normalMap() const
+    {
+        const WaterNormalMap& map = body.normalMap;
+        return map.isSeen() ? &scene.images[static_cast<std::size_t>(map.image)] : nullptr;
     }
     /// As the viewer would lay it for this view; nothing for fewer than two vertices.
     std::optional<optics64::WaterGrid> grid(const ViewRequest& view, int size) const
@@ -120,7 +126,7 @@ Tracer::~Tracer() = default;
 SunMap Tracer::State::sunMap(const ViewRequest& view, const ReferenceOptions& options, Progress* progress) const
 {
     if (!body.present || !light.hasSun() || view.flatLight) return {};
-    const WaterSurface waves(body, view.time);
+    const WaterSurface waves(body, view.time, {}, {}, normalMap());
     if (view.causticsTexture) {
         const auto& [rect, texel, filter] = *view.causticsTexture;
         return SunMap(mapInputs(waves, options.photons, options.seed), rect, texel, progress, filter);
@@ -156,6 +162,10 @@ std::string identityOf(const Approximations& rough)
 {
     std::string text;
     if (rough.schlickExponent > 0.0f) text += fmt::format("; Schlick {}", rough.schlickExponent);
+    if (rough.attenuationLength > 0.0f) text += fmt::format("; fades over {} m", rough.attenuationLength);
+    if (const auto& table = rough.fresnelTable)
+        text += fmt::format("; Fresnel of {} texels{}", table->texels.size(),
+                            table->filter == optics::TableFilter::linear ? " blended" : "");
     if (rough.refraction)
         text += fmt::format("; refraction {} {}", rough.refractionSteps, rough.planarRefraction) +
                 identityOf(*rough.refraction);
@@ -187,6 +197,10 @@ std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOpti
         view.flatLight, triple(light.sunDirection), sunRoughness);
     for (const Wave& w : body.waves)
         text += fmt::format("; {} {} {} {} {}", w.amplitude, w.wavelength, w.direction, w.phase, w.period);
+    if (const WaterNormalMap& map = body.normalMap; normalMap()) {
+        text += fmt::format("; normals {} {} {}", map.file.string(), map.tile, map.bump);
+        for (const auto& layer : map.layers) text += fmt::format(" {},{}", layer.velocity.x, layer.velocity.y);
+    }
     text += fmt::format("; {}; {}; {} triangles at {}", triple(body.absorption), triple(body.colour),
                         scene.meshes.size(), triple(geometry.bounds().upper));
     if (view.normalGridSize > 0) text += fmt::format("; normals of grid {}", view.normalGridSize);
@@ -368,7 +382,7 @@ std::function<std::optional<vec3>(const vec2& plane)> Tracer::lightOnBed(double 
         WaterSurface water;
         SunMap map;
     };
-    const WaterSurface water(s.body, time);
+    const WaterSurface water(s.body, time, {}, {}, s.normalMap());
     const auto known =
         std::make_shared<Known>(Known{water, SunMap(s.mapInputs(water, photons, seed), rect, texel, nullptr)});
     const dvec3 toSun = glm::normalize(dvec3(s.light.sunDirectionBelow));

@@ -1,5 +1,7 @@
 #include "reference/water_surface.h"
 
+#include "reference/texture_lookup.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,9 +99,12 @@ void clipRange(double start, double rate, double least, double most, double& low
 
 } // namespace
 
-WaterSurface::WaterSurface(const WaterBody& water, double time, const Grid& grid, const Grid& normalGrid)
+WaterSurface::WaterSurface(const WaterBody& water, double time, const Grid& grid, const Grid& normalGrid,
+                           const Image* normalMap)
     : time_(time), level_(water.level), lower_(dvec2(water.centre) - 0.5 * dvec2(water.extent)),
-      upper_(dvec2(water.centre) + 0.5 * dvec2(water.extent)), grid_(grid), normalGrid_(normalGrid)
+      upper_(dvec2(water.centre) + 0.5 * dvec2(water.extent)), grid_(grid), normalGrid_(normalGrid),
+      normalMap_(water.normalMap.enabled ? normalMap : nullptr), tile_(static_cast<double>(water.normalMap.tile)),
+      bump_(static_cast<double>(water.normalMap.bump)), offsets_(layerOffsets(water.normalMap, time))
 {
     const std::size_t count = std::min<std::size_t>(water.waves.size(), maxWaves);
     for (std::size_t i = 0; i < count; ++i) {
@@ -134,6 +139,32 @@ bool WaterSurface::contains(const dvec3& point) const
 }
 
 dvec3 WaterSurface::normal(double x, double z) const
+{
+    const dvec3 n = drawnNormal(x, z);
+    if (!normalMap_) return n;
+    return optics64::waveNormal(-dvec2(n.x, n.z) / n.y + rippleSlope(x, z));
+}
+
+dvec2 WaterSurface::rippleSlope(double x, double z) const
+{
+    dvec3 sum(0.0);
+    for (const dvec2& offset : offsets_) {
+        const dvec2 place = glm::fract(dvec2(x, z) / tile_ + offset); // small, for the single precision of the lookup
+        const vec3 colour(sampleTexture(*normalMap_, vec2(place), Encoding::linear));
+        sum += optics64::normalMapNormal(dvec3(colour));
+    }
+    return optics64::normalMapSlope(sum, bump_);
+}
+
+dvec3 WaterSurface::keptOn(const dvec3& direction, const dvec3& U, bool above) const
+{
+    if (!normalMap_) return direction;
+    const dvec3 n = waveNormal(U.x, U.z);
+    const double away = glm::dot(direction, n);
+    return (above ? away : -away) < 0.0 ? optics64::reflectRay(direction, n) : direction;
+}
+
+dvec3 WaterSurface::drawnNormal(double x, double z) const
 {
     if (!normalGrid_) return waveNormal(x, z);
     // The triangle of the grid: see gridHeight in shaders/shared/water_grid.glsl.

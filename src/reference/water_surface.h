@@ -20,7 +20,9 @@ public:
     /// @param grid nothing: the wave function, else the triangles that passes/water.vert makes of it
     /// @param normalGrid nothing: the waves' own normals, else those of the vertices of such a grid, in between them
     /// interpolated
-    WaterSurface(const WaterBody& water, double time, const Grid& grid = {}, const Grid& normalGrid = {});
+    /// @param normalMap the picture of the body's normal map, which must outlive this; null: none
+    WaterSurface(const WaterBody& water, double time, const Grid& grid = {}, const Grid& normalGrid = {},
+                 const Image* normalMap = nullptr);
 
     /// Whether a point is over or under the water's rectangle.
     bool spans(double x, double z) const;
@@ -28,8 +30,11 @@ public:
     double height(double x, double z) const;
     /// Whether a point lies in the water.
     bool contains(const dvec3& point) const;
-    /// Unit, up.
+    /// Unit, up; with the ripples of the normal map.
     dvec3 normal(double x, double z) const;
+    /// A direction that leaves the surface for one side of it. Ripples are on no real surface, and may send what they
+    /// mirror into it: the waves mirror that once more, as the passes have it.
+    dvec3 keptOn(const dvec3& direction, const dvec3& U, bool above) const;
 
     /// Distance to the first place where a ray leaves its medium through the surface, with tMin < t < tMax: exact to
     /// 1e-5 m. The surface is a function of x and z that changes by less than Σ A k per metre, so that steps of
@@ -44,6 +49,8 @@ public:
 
 private:
     dvec3 waveNormal(double x, double z) const;
+    dvec3 drawnNormal(double x, double z) const;
+    dvec2 rippleSlope(double x, double z) const;
     double heightAbove(const dvec3& point) const;
     double polish(const Ray& ray, double t, double side) const;
     std::optional<double> intersectGrid(const Ray& ray, double tMin, double tMax, double side) const;
@@ -52,6 +59,9 @@ private:
     double time_ = 0.0, level_ = 0.0, amplitude_ = 0.0;
     dvec2 lower_{0.0}, upper_{0.0};
     Grid grid_, normalGrid_;
+    const Image* normalMap_ = nullptr;
+    double tile_ = 1.0, bump_ = 1.0; ///< of the normal map, m and factor
+    std::array<dvec2, 4> offsets_{}; ///< of its layers
     std::array<std::vector<double>, 2> lines_; ///< where the grid's lines stand along x and z, m
 };
 

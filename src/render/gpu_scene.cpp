@@ -2,6 +2,7 @@
 
 #include "base/progress.h"
 #include "render/alpha_mips.h"
+#include "render/normal_map.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,6 +15,8 @@ GpuScene::GpuScene(const Scene& scene, float anisotropy, Progress* progress)
 {
     uploadMeshes();
     uploadTextures(progress);
+    if (const int map = scene.water.normalMap.image; map != noImage)
+        waterNormals_ = normalMapTexture(scene.images[static_cast<std::size_t>(map)], anisotropy);
     bakeSky();
 }
 
@@ -135,6 +138,7 @@ void GpuScene::setAnisotropy(float anisotropy)
     anisotropy_ = anisotropy;
     for (auto* textures : {&textures_, &shares_})
         for (auto& [key, texture] : *textures) texture.setAnisotropy(anisotropy);
+    if (waterNormals_) waterNormals_.setAnisotropy(anisotropy);
 }
 
 void GpuScene::wantShares()

@@ -36,6 +36,9 @@ public:
     /// Uploads what shares() gives, once.
     void wantShares();
 
+    /// The water's normal map (render/normal_map.h), or null.
+    const gl::Texture* waterNormals() const { return waterNormals_ ? &waterNormals_ : nullptr; }
+
     void setAnisotropy(float anisotropy);
 
 private:
@@ -59,6 +62,7 @@ private:
     std::map<TextureKey, gl::Texture> shares_; ///< of cut-outs; empty until they are wanted
     float anisotropy_;
     gl::Texture skyMap_;
+    gl::Texture waterNormals_;
 };
 
 } // namespace tarn

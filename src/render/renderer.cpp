@@ -421,6 +421,8 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .reflection = reflects ? &reflection.target() : nullptr,
                              .reflectionView = &reflectionView,
                              .skyMap = gpuScene.skyMap(),
+                             .ior = water.ior,
+                             .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                              .underwater = isBelow,
                              .view = input.view};
     if (isCrossing) inputs.waterline = sideOfPixels;
@@ -444,7 +446,10 @@ void Renderer::State::drawGlow(const FrameInput& input)
     frame.resolve(); // for its depth
     const ivec2 size = stats.plan[PassId::glow].size;
     FrameStats::Pass& pass = beginPass(PassId::glow, main, size);
-    glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(), .size = size}, pass);
+    glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(),
+                           .size = size,
+                           .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time)},
+                          pass);
     check(PassId::glow, *glow);
 }
 

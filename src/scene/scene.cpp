@@ -15,7 +15,23 @@ void visit(FieldVisitor& v, WaterBody& water)
     v.field({"absorption", "Absorption coefficient k for red, green and blue", "1/m", 0.0, 1000.0},
             water.absorption);
     v.field({"colour", "Diffuse reflectance of infinitely deep water", "", 0.0, 1.0}, water.colour);
+    v.field({"normal_map", "Ripples of the scene's normal map on the surface, where it has one"}, water.normalMap.enabled);
+    v.field({"normal_map_tile", "Edge of the water that the normal map covers once", "m", 0.001, 10000.0},
+            water.normalMap.tile);
+    v.field({"normal_map_bump", "Factor on the upward part of the ripples' normals: 1 plain, 0 steepest (Lipp)", "", 0.0,
+             1.0},
+            water.normalMap.bump);
     v.leave();
+}
+
+std::array<glm::dvec2, 4> layerOffsets(const WaterNormalMap& map, double time)
+{
+    const glm::dvec2 apart(0.37, 0.61); // of two layers at time 0: no whole number of tiles for any of them
+    std::array<glm::dvec2, 4> offsets;
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        offsets[i] = glm::fract(static_cast<double>(i) * apart -
+                                glm::dvec2(map.layers[i].velocity) * (time / static_cast<double>(map.tile)));
+    return offsets;
 }
 
 const Camera* Scene::findCamera(std::string_view cameraName) const

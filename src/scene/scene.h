@@ -10,6 +10,7 @@
 #include "scene/camera.h"
 #include "scene/image.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -136,6 +137,26 @@ struct Wave {
     float period = 0.0f;     ///< s; 0: deep-water dispersion, ω² = g·k
 };
 
+/// Ripples on the surface, as a picture of its normals in four layers that drift: shaders/shared/normal_map.glsl.
+struct WaterNormalMap {
+    std::filesystem::path file; ///< as written in the scene file, relative to it
+    int image = noImage;        ///< red, green, blue: x, y (up), z; +x to the right and +z upward in the picture
+    bool enabled = true;
+    float tile = 2.0f;          ///< edge of the water that the picture covers once, m
+    float bump = 1.0f;          ///< factor on y before the normal is used: 1 plain, 0 steepest
+    struct Layer {
+        vec2 velocity{0.0f}; ///< of its drift along x and z, m/s
+    };
+    std::array<Layer, 4> layers{
+        {{vec2(0.31f, 0.08f)}, {vec2(-0.12f, 0.27f)}, {vec2(0.05f, -0.23f)}, {vec2(-0.2f, -0.13f)}}};
+
+    bool isSeen() const { return enabled && image != noImage; }
+};
+
+/// What is added to (x, z) / tile for each layer's place in the picture at a time in seconds, 0..1. Layers do not lie upon
+/// each other at time 0.
+std::array<glm::dvec2, 4> layerOffsets(const WaterNormalMap& map, double time);
+
 /// A body of water: a horizontal rectangle at `level`. Its defaults are Mihálik 2008, Table 1.
 struct WaterBody {
     bool present = false;
@@ -147,6 +168,7 @@ struct WaterBody {
     vec3 colour{0.0f, 0.2f, 0.1f}; ///< watercol: diffuse reflectance of infinitely deep water. Its radiance inside
                                    ///< the water is colour · (downwelling irradiance under the surface) / π
     std::vector<Wave> waves; ///< at most 64
+    WaterNormalMap normalMap;
 };
 
 /// The body's scalar and vector fields, in the group "water".

@@ -34,6 +34,13 @@
 //     absorption = [0.5, 0.5, 0.5]   # 1/m, 0..
 //     colour = [0.0, 0.2, 0.1]       # reflectance of infinitely deep water, 0..1
 //
+//     normal_map = "ripples.png"     # ripples: normals with x, y (up), z in red, green, blue; seamless. With it only:
+//     normal_map_tile = 2.0          # edge of the water that it covers once, m, 0.001..10000
+//     normal_map_bump = 1.0          # factor on the upward part: 1 plain, 0 steepest
+//
+//     [[water.normal_layers]]        # of that map: four, or none for the defaults
+//     velocity = [0.31, 0.08]        # of its drift along x and z, m/s (!)
+//
 //     [[water.waves]]                # at most 64
 //     amplitude = 0.05               # m, 0..
 //     wavelength = 4.0               # m, > 0

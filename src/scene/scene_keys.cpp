@@ -43,6 +43,14 @@ void keys(TableIo& io, WaterBody& water)
     io.number("ior", water.ior, {1.0, 4.0});
     io.uniform("absorption", water.absorption, {0.0, 1000.0, "1/m"});
     io.uniform("colour", water.colour, zeroToOne);
+    io.path("normal_map", water.normalMap.file);
+    io.number("normal_map_tile", water.normalMap.tile, {0.001, 10000.0, "m"});
+    io.number("normal_map_bump", water.normalMap.bump, zeroToOne);
+}
+
+void keys(TableIo& io, WaterNormalMap::Layer& layer)
+{
+    io.vector("velocity", layer.velocity, {-1000.0, 1000.0, "m/s"});
 }
 
 void keys(TableIo& io, Wave& wave)

@@ -201,9 +201,16 @@ private:
     void water()
     {
         if (!scene_.water.present) return;
-        table("[water]", scene_.water, WaterBody(), {"level", "extent"});
+        WaterBody water = scene_.water;
+        WaterNormalMap& map = water.normalMap;
+        if (map.file.empty()) map = {}; // its other keys would be refused
+        map.file = rebased(map.file);
+        table("[water]", water, WaterBody(), {"level", "extent"});
         for (const Wave& wave : scene_.water.waves)
             table("[[water.waves]]", wave, Wave(), {"amplitude", "wavelength", "direction"});
+        if (map.file.empty()) return;
+        for (const WaterNormalMap::Layer& layer : map.layers)
+            table("[[water.normal_layers]]", layer, WaterNormalMap::Layer(), {"velocity"});
     }
 
     void materials()

@@ -174,7 +174,28 @@ private:
             if (water.waves.size() > maxWaveCount)
                 throw Error("{}: more than {} waves; leave the smallest out", waveIo.place(), maxWaveCount);
         }
+        readNormalMap(io, *table);
         io.finish();
+    }
+
+    void readNormalMap(TableReader& io, const toml::table& table)
+    {
+        WaterNormalMap& map = scene_.water.normalMap;
+        const auto layers = io.tables("normal_layers");
+        if (map.file.empty()) {
+            for (const char* key : {"normal_map_tile", "normal_map_bump", "normal_layers"})
+                if (table.contains(key)) io.fail(key, "needs a normal_map");
+            return;
+        }
+        if (!layers.empty() && layers.size() != map.layers.size())
+            io.fail("normal_layers", fmt::format("must be {}, not {}", map.layers.size(), layers.size()));
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            TableReader layerIo = reader(*layers[i], "water.normal_layers");
+            layerIo.require({"velocity"});
+            keys(layerIo, map.layers[i]);
+            layerIo.finish();
+        }
+        map.image = request(map.file, TextureUse::waterNormal, io.place("normal_map"));
     }
 
     // ---- shapes

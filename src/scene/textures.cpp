@@ -86,6 +86,19 @@ void toNormals(Image& image, float bumpScale)
     }
 }
 
+void requireUpwardNormals(const Image& image)
+{
+    if (image.channels < 3) throw Error("{}: a normal map needs three channels", image.name);
+    const auto channels = static_cast<std::size_t>(image.channels), width = static_cast<std::size_t>(image.width);
+    for (std::size_t i = 1; i < image.size(); i += channels) {
+        const float up = image.isFloat() ? image.floats[i] : static_cast<float>(image.bytes[i]) / 255.0f;
+        if (up > 0.5f) continue;
+        throw Error("{}: the normals of water point up, with a green over 0.5 everywhere, but it is {:.2f} at ({}, {}); a "
+                    "map whose blue points up needs green and blue exchanged",
+                    image.name, up, i / channels % width, i / channels / width);
+    }
+}
+
 void remap(int& index, const std::vector<int>& imageOf)
 {
     if (index != noImage) index = imageOf[static_cast<std::size_t>(index)];
@@ -144,6 +157,9 @@ Image TextureQueue::decode(const Request& request)
     case TextureUse::normal:
         if (image.channels < 3) throw Error("{}: a normal map needs three channels", image.name);
         break;
+    case TextureUse::waterNormal:
+        requireUpwardNormals(image);
+        break;
     case TextureUse::bump:
         toNormals(image, request.bumpScale);
         break;
@@ -197,6 +213,7 @@ void TextureQueue::decodeInto(Scene& scene, Progress* progress)
     for (Material& material : scene.materials)
         finishMaterial(material, scene.images, imageOf);
     remap(scene.sky.image, imageOf);
+    remap(scene.water.normalMap.image, imageOf);
 }
 
 } // namespace tarn

@@ -16,6 +16,7 @@ enum class TextureUse {
     colour, ///< 8 bit sRGB, except for EXR and HDR
     alpha,  ///< one channel: the alpha channel, or the brightness of a picture that has none
     normal, ///< as stored
+    waterNormal, ///< as stored; must point up, which is green
     bump,   ///< heights, made into a normal map
     sky,    ///< as stored; its shape must be one that a sky can have
 };

@@ -74,6 +74,24 @@ void addBox(Scene& scene, const vec3& lower, const vec3& upper, int material)
     addMesh(scene, std::move(mesh), material);
 }
 
+void addNormalMap(Scene& scene, int edge, const std::function<vec2(const vec2& uv)>& slope)
+{
+    Image image;
+    image.name = "normal map";
+    image.width = image.height = edge;
+    image.channels = 3;
+    for (int row = 0; row < edge; ++row)
+        for (int column = 0; column < edge; ++column) {
+            const vec2 uv((static_cast<float>(column) + 0.5f) / static_cast<float>(edge),
+                          1.0f - (static_cast<float>(row) + 0.5f) / static_cast<float>(edge));
+            const vec2 s = slope(uv);
+            const vec3 n = glm::normalize(vec3(-s.x, 1.0f, -s.y));
+            for (int c = 0; c < 3; ++c) image.floats.push_back(0.5f * n[c] + 0.5f);
+        }
+    scene.water.normalMap.image = static_cast<int>(scene.images.size());
+    scene.images.push_back(std::move(image));
+}
+
 Scene flatLake(float depth, float edge, float bedEdge)
 {
     Scene scene;

@@ -3,6 +3,8 @@
 
 #include "scene/scene.h"
 
+#include <functional>
+
 namespace tarn::test {
 
 /// A quad of a material, facing up, at a height; edge lengths in metres, centred on the axis.
@@ -17,5 +19,9 @@ int addMaterial(Scene& scene, const vec3& diffuse);
 /// takes nothing away, unless the test says so.
 /// bedEdge: of the bed; 0 for the lake's own.
 Scene flatLake(float depth, float edge = 400.0f, float bedEdge = 0.0f);
+
+/// Gives the water a normal map of edge x edge texels in floating point.
+/// slope: dy/dx and dy/dz at (u, v) of the picture, v upward
+void addNormalMap(Scene& scene, int edge, const std::function<vec2(const vec2& uv)>& slope);
 
 } // namespace tarn::test

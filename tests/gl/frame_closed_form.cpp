@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 namespace tarn::test {
 
@@ -121,12 +122,8 @@ INSTANTIATE_TEST_SUITE_P(Angles, SnellLookup,
                          });
 
 // The picture's F is the formula's, from straight down to the horizon.
-void expectFresnel(WaterOptions::Fresnel fresnel, double (*formula)(double cosine))
+void expectFresnel(Studio& studio, const std::function<double(double cosine)>& formula, double tolerance = 2.0e-6)
 {
-    const Scene scene = flatLake(2.0f);
-    Options options;
-    options.water.fresnel = fresnel;
-    Studio studio(scene, options);
     for (const float degrees : {0.0f, 30.0f, 60.0f, 80.0f}) {
         const Camera camera = lookDown(degrees);
         const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::fresnel);
@@ -144,18 +141,57 @@ void expectFresnel(WaterOptions::Fresnel fresnel, double (*formula)(double cosin
             }
         }
         EXPECT_GT(water, 1000);
-        EXPECT_LE(worst, 2.0e-6) << degrees << " degrees";
+        EXPECT_LE(worst, tolerance) << degrees << " degrees";
     }
 }
 
 TEST(FrameClosedForm, FresnelIsExact)
 {
-    expectFresnel(WaterOptions::Fresnel::exact, [](double c) { return optics64::fresnelExact(c, 1.0 / 1.33); });
+    const Scene scene = flatLake(2.0f);
+    Studio studio(scene);
+    expectFresnel(studio, [](double c) { return optics64::fresnelExact(c, 1.0 / 1.33); });
 }
 
 TEST(FrameClosedForm, FresnelIsSchlicksWhereThatIsAskedFor)
 {
-    expectFresnel(WaterOptions::Fresnel::schlick, [](double c) { return optics64::fresnelSchlick(c, 1.33, 5.0); });
+    const Scene scene = flatLake(2.0f);
+    Options options;
+    options.water.fresnel = WaterOptions::Fresnel::schlick;
+    Studio studio(scene, options);
+    expectFresnel(studio, [](double c) { return optics64::fresnelSchlick(c, 1.33, 5.0); });
+}
+
+// The table's own error is that of tests/unit/optics_fresnel_table.cpp; it follows size, filter and index of refraction.
+TEST(FrameClosedForm, FresnelIsTheTablesWhereThatIsAskedFor)
+{
+    const Scene scene = flatLake(2.0f);
+    Options options;
+    options.water.fresnel = WaterOptions::Fresnel::table;
+    Studio studio(scene, options);
+    for (const float ior : {1.33f, 1.5f})
+        for (const int size : {64, 1024})
+            for (const optics::TableFilter filter : {optics::TableFilter::linear, optics::TableFilter::nearest}) {
+                options.water.fresnelTable = size;
+                options.water.fresnelFilter = filter;
+                WaterBody water = scene.water;
+                water.ior = ior;
+                studio.setOptions(options, water);
+                const double n = static_cast<double>(ior);
+                if (filter == optics::TableFilter::linear) {
+                    // Graphics cards blend by weights of 8 bits: up to 1/512 of the step between two texels.
+                    const optics::FresnelTable table = optics::makeFresnelTable(ior, size, filter);
+                    const double step = 2.0 * (1.0 + n * n) / std::sqrt(n * n - 1.0) / (size - 1);
+                    expectFresnel(
+                        studio,
+                        [&table](double c) { return static_cast<double>(table.at(static_cast<float>(c)).y); },
+                        step / 512.0 + 2.0e-6);
+                } else {
+                    // At a texel's edge rounding chooses between two.
+                    const double half = (1.0 + n * n) / (size * std::sqrt(n * n - 1.0));
+                    expectFresnel(studio, [n](double c) { return optics64::fresnelExact(c, 1.0 / n); },
+                                  half + 2.0e-6);
+                }
+            }
 }
 
 // Clear, still water over a bed of albedo 1/2 under a white sky, seen straight from above:

@@ -73,7 +73,7 @@ protected:
     {
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
-             {"blocks", "refraction", "depth", "waves", "intersection", "reflection", "lighting", "tonemap", "sunlight"}) {
+             {"blocks", "refraction", "fresnel_table", "depth", "waves", "normal_map", "intersection", "reflection", "lighting", "tonemap", "sunlight"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
             includes_ += "#include \"" + name + "\"\n";
@@ -187,8 +187,20 @@ TEST_F(OpticsGl, Refraction)
                          fresnelSchlick(i.b.y, 1.31f, 0.5f + 8.0f * i.b.w), 0, 0);
          },
          1e-6f},
+        {"fresnelTable",
+         "vec4(fresnelTablePlace(a.y, 1024, true), fresnelTablePlace(1.1 * b.y, 64, false),"
+         " fresnelTableCosine(int(63.0 * a.w), 64, true), fresnelTableCosine(int(63.0 * b.w), 64, false))",
+         [](const Inputs& i) {
+             return vec4(fresnelTablePlace(i.a.y, 1024, true), fresnelTablePlace(1.1f * i.b.y, 64, false),
+                         fresnelTableCosine(static_cast<int>(63.0f * i.a.w), 64, true),
+                         fresnelTableCosine(static_cast<int>(63.0f * i.b.w), 64, false));
+         }},
         {"beerLambert", "vec4(beerLambert(a.xyz * a.xyz, 30.0 * a.w), 0.0)",
          [](const Inputs& i) { return wide(beerLambert(xyz(i.a) * xyz(i.a), 30.0f * i.a.w)); }},
+        {"linearAttenuation", "vec4(linearAttenuation(9.0 * a.w, 7.5), linearAttenuation(a.w - 0.5, 0.1 + b.w), 0.0, 0.0)",
+         [](const Inputs& i) {
+             return vec4(linearAttenuation(9.0f * i.a.w, 7.5f), linearAttenuation(i.a.w - 0.5f, 0.1f + i.b.w), 0, 0);
+         }},
         {"radianceThroughWater", "vec4(radianceThroughWater(a.xyz, b.xyz, c.xyz * c.xyz), 0.0)",
          [](const Inputs& i) { return wide(radianceThroughWater(xyz(i.a), xyz(i.b), xyz(i.c) * xyz(i.c))); }},
         {"radianceThroughSurface", "vec4(radianceThroughSurface(a.y, 1.0 + b.w))",
@@ -258,6 +270,11 @@ TEST_F(OpticsGl, Lighting)
          1e-4f},
         {"smithCosLambda", "vec4(smithCosLambda(a.y, 0.001 + b.w))",
          [](const Inputs& i) { return vec4(smithCosLambda(i.a.y, 0.001f + i.b.w)); }},
+        {"phongGlint", "vec4(phongGlint(vec3(3.0), a.w, a.xyz, b.xyz, c.xyz, 1.0 + 20.0 * b.w, 2.0), 0.0)",
+         [](const Inputs& i) {
+             return wide(phongGlint(vec3(3.0f), i.a.w, xyz(i.a), xyz(i.b), xyz(i.c), 1.0f + 20.0f * i.b.w, 2.0f));
+         },
+         1e-4f},
         {"sunGlint", "vec4(sunGlint(vec3(100.0), a.w, a.xyz, b.xyz, c.xyz, 0.001 + b.w * b.w), 0.0)",
          [](const Inputs& i) {
              return wide(sunGlint(vec3(100.0f), i.a.w, xyz(i.a), xyz(i.b), xyz(i.c), 0.001f + i.b.w * i.b.w));
@@ -332,6 +349,26 @@ TEST_F(OpticsGl, WavesOneByOne)
          }},
         {"waveNormal", "vec4(waveNormal(a.xz), 0.0)",
          [](const Inputs& i) { return wide(waveNormal(vec2(i.a.x, i.a.z))); }},
+    });
+}
+
+TEST_F(OpticsGl, NormalMap)
+{
+    using namespace optics;
+    check({
+        {"normalMapSlope", "vec4(normalMapSlope(normalMapNormal(0.5 + 0.5 * a.xyz) + b.xyz, 0.1 + c.w), 0.0, 0.0)",
+         [](const Inputs& i) {
+             const vec3 sum = normalMapNormal(0.5f + 0.5f * xyz(i.a)) + xyz(i.b);
+             return vec4(normalMapSlope(sum, 0.1f + i.c.w), 0.0f, 0.0f);
+         },
+         1e-5f},
+        {"normalMapRoughness",
+         "vec4(normalMapLostVariance(vec4(a.x, a.y + 0.2, a.z, 40.0 * b.w)), normalMapRoughness(b.w, c.w), 0.0, 0.0)",
+         [](const Inputs& i) {
+             return vec4(normalMapLostVariance(vec4(i.a.x, i.a.y + 0.2f, i.a.z, 40.0f * i.b.w)),
+                         normalMapRoughness(i.b.w, i.c.w), 0.0f, 0.0f);
+         },
+         1e-5f},
     });
 }
 

@@ -200,6 +200,14 @@ TEST(Approximations, FineGridsAndMapsAreTheTruth)
     EXPECT_EQ(madeBy("Schlick's Fresnel", lake, Options{}), 0.0); // the frame's is exact
     options.water.fresnel = WaterOptions::Fresnel::schlick;
     EXPECT_GT(madeBy("Schlick's Fresnel", lake, options), 1e-3);
+    options.water.fresnel = WaterOptions::Fresnel::table;
+    options.water.fresnelTable = 16;
+    const double coarse = madeBy("Fresnel's table", lake, options);
+    EXPECT_GT(coarse, 1e-4);
+    options.water.fresnelTable = 4096;
+    EXPECT_LT(madeBy("Fresnel's table", lake, options), 0.02 * coarse);
+    options.water.attenuation = WaterOptions::Attenuation::linear;
+    EXPECT_GT(madeBy("linear attenuation", lake, options), 1e-3);
 }
 
 TEST(Approximations, AFineShadowMapCastsTheTrueShadow)

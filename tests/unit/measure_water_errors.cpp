@@ -131,6 +131,15 @@ TEST(WaterErrors, ReflectionIsAnAngleFromTheTrueSurface)
     EXPECT_NEAR(errorFigures(p.used, p.truth).reflectionMedian, 45.0, 1e-4);
 }
 
+TEST(WaterErrors, WaterThatMirrorsNothingHasNoErrorOfReflection)
+{
+    Pair p(2);
+    p.used.reflects = false;
+    EXPECT_EQ(errorAt(ErrorKind::reflection, p.used, p.truth, 0), std::nullopt);
+    EXPECT_TRUE(std::isnan(errorFigures(p.used, p.truth).reflectionMedian));
+    EXPECT_TRUE(errorAt(ErrorKind::fresnel, p.used, p.truth, 0).has_value());
+}
+
 TEST(WaterErrors, FresnelAndPathAreAbsoluteDifferences)
 {
     Pair p(2);

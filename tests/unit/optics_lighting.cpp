@@ -218,5 +218,35 @@ TEST(SunGlint, CalmWaterShowsTheSunAsBrightAsItIs)
     EXPECT_NEAR(peak, 100.0 / optics64::sunSolidAngle, 1.0);
 }
 
+/// Lipp's listing in its own terms: R = 2 (N·L) N - L, then (R·E)^n times colour, strength and Fresnel's share.
+TEST(PhongGlint, IsLippsListing)
+{
+    const dvec3 sun = fromAngles(0.6, 0.3), eye = fromAngles(0.65, 0.35 + pi64);
+    const dvec3 normal = glm::normalize(dvec3(0.05, 1.0, -0.03));
+    const dvec3 R = 2.0 * glm::dot(normal, sun) * normal - sun;
+    const double lobe = std::pow(std::max(glm::dot(R, eye), 0.0), 256.0);
+    ASSERT_GT(lobe, 0.01);
+    const dvec3 light(100.0, 90.0, 80.0), white = light / pi64; // of a white diffuse surface that faces the sun
+    const dvec3 radiance = optics64::phongGlint(light, 0.4, normal, eye, sun, 256.0, 2.0);
+    EXPECT_LT(glm::length(radiance - 0.4 * 2.0 * lobe * white), 1e-9);
+    // Where the eye stands in the mirrored light the exponent makes no difference: the lobe keeps no energy.
+    for (const double exponent : {1.0, 256.0, 5000.0})
+        EXPECT_NEAR(optics64::phongGlint(light, 1.0, normal, R, sun, exponent, 2.0).x, 2.0 * white.x, 1e-9);
+}
+
+TEST(PhongGlint, IsFiniteAndNothingBehindTheSurface)
+{
+    const vec3 upF(0.0f, 1.0f, 0.0f);
+    for (double eyeZenith : {0.0, 89.0, 90.0, 135.0, 180.0})
+        for (double sunZenith : {0.0, 45.0, 89.9, 90.5, 180.0})
+            for (float exponent : {1.0f, 256.0f, 10000.0f}) {
+                const vec3 eye(fromAngles(eyeZenith * degree, 0.0)), sun(fromAngles(sunZenith * degree, 2.0));
+                const float l = optics::phongGlint(vec3(100.0f), 1.0f, upF, eye, sun, exponent, 2.0f).x;
+                ASSERT_TRUE(std::isfinite(l));
+                ASSERT_GE(l, 0.0f);
+                if (sunZenith > 90.0) { ASSERT_EQ(l, 0.0f); }
+            }
+}
+
 } // namespace
 } // namespace tarn

@@ -194,6 +194,19 @@ TEST(BeerLambert, MultipliesAlongThePath)
     EXPECT_EQ(optics64::beerLambert(k, 1e6), dvec3(0.0));
 }
 
+TEST(LinearAttenuation, EndsAtItsLength)
+{
+    EXPECT_EQ(optics64::linearAttenuation(0.0, 7.5), 1.0);
+    EXPECT_EQ(optics64::linearAttenuation(-1.0, 7.5), 1.0);
+    EXPECT_NEAR(optics64::linearAttenuation(1.5, 7.5), 0.8, 1e-15);
+    EXPECT_EQ(optics64::linearAttenuation(7.5, 7.5), 0.0);
+    EXPECT_EQ(optics64::linearAttenuation(1e6, 7.5), 0.0);
+    for (double path = 0.0; path < 10.0; path += 0.01)
+        EXPECT_NEAR(static_cast<double>(optics::linearAttenuation(static_cast<float>(path), 7.5f)),
+                    optics64::linearAttenuation(path, 7.5), 1e-6)
+            << path;
+}
+
 TEST(RadianceThroughWater, GoesFromTheBedToTheDeep)
 {
     const dvec3 bed(3.0, 2.0, 1.0), deep(0.1, 0.4, 0.3), k(0.5);

@@ -94,6 +94,22 @@ TEST(FramePlan, SwitchesTurnOffOnePassEach)
     EXPECT_FALSE(plan[PassId::reflection].wanted);
 }
 
+TEST(FramePlan, AMirrorlessSurfaceNeedsNoReflectionAndHasNoGlow)
+{
+    Options options;
+    options.water.reflects = false;
+    for (const vec3& eye : {vec3(0, 4, 15), vec3(0, -2, 5)}) {
+        const FramePlan plan = planFor(lake(), cameraAt(eye, {0, 0.5f, 0}), options);
+        EXPECT_TRUE(plan[PassId::water].wanted);
+        EXPECT_TRUE(plan[PassId::refraction].wanted);
+        EXPECT_FALSE(plan[PassId::reflection].wanted);
+        EXPECT_FALSE(plan[PassId::glow].wanted);
+        EXPECT_NE(plan[PassId::reflection].reason.find("water.reflects"), std::string::npos);
+        EXPECT_EQ(plan[PassId::water].dependsOn, "scene, refraction");
+        expectReasons(plan);
+    }
+}
+
 TEST(FramePlan, CausticsNeedASunAndABedInSight)
 {
     const Camera camera = cameraAt({0, 4, 15}, {0, 0, 0});

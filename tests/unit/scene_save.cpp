@@ -29,6 +29,17 @@ extent = [30, 40]
 ior = 1.34
 absorption = [0.4, 0.1, 0.05]
 colour = [0.01, 0.2, 0.1]
+normal_map = "pictures/ripples.png"
+normal_map_tile = 1.7
+normal_map_bump = 0.4
+[[water.normal_layers]]
+velocity = [0.1, -0.2]
+[[water.normal_layers]]
+velocity = [0.3, 0]
+[[water.normal_layers]]
+velocity = [0, 0]
+[[water.normal_layers]]
+velocity = [-5, 1]
 [[water.waves]]
 amplitude = 0.1
 wavelength = 3.3
@@ -115,6 +126,8 @@ protected:
         image.channels = 3;
         image.bytes.resize(image.size(), 50);
         writeImage(folder.path() / "pictures" / "a b.png", image);
+        image.bytes.assign(image.size(), 200);
+        writeImage(folder.path() / "pictures" / "ripples.png", image);
     }
 };
 
@@ -122,6 +135,8 @@ TEST_F(RoundTripTest, SavedIsLoaded)
 {
     const Scene scene = load(everything);
     EXPECT_TRUE(log.messages().empty()) << log.messages()[0].text;
+    EXPECT_TRUE(scene.water.normalMap.isSeen());
+    EXPECT_EQ(scene.water.normalMap.layers[3].velocity, vec2(-5.0f, 1.0f));
     saveScene(scene, folder.path() / "saved.toml");
     expectSame(scene, loadScene(folder.path() / "saved.toml"));
 }
@@ -190,8 +205,18 @@ void expectSame(const Material& a, const Material& b)
     EXPECT_EQ(a.fromModel, b.fromModel);
 }
 
+void expectSame(const WaterNormalMap& a, const WaterNormalMap& b)
+{
+    EXPECT_EQ(a.file.filename(), b.file.filename());
+    EXPECT_EQ(a.image, b.image);
+    EXPECT_EQ(a.tile, b.tile);
+    EXPECT_EQ(a.bump, b.bump);
+    for (std::size_t i = 0; i < a.layers.size(); ++i) EXPECT_EQ(a.layers[i].velocity, b.layers[i].velocity);
+}
+
 void expectSame(const WaterBody& a, const WaterBody& b)
 {
+    expectSame(a.normalMap, b.normalMap);
     EXPECT_EQ(a.present, b.present);
     EXPECT_EQ(a.level, b.level);
     EXPECT_EQ(a.centre, b.centre);

@@ -54,6 +54,44 @@ TEST_F(BadTomlTest, NotToml)
     EXPECT_CONTAINS(problem("a = 1\na = 2\n"), "test.toml:2: not valid TOML");
 }
 
+TEST_F(BadTomlTest, NormalMapsOfWater)
+{
+    expectProblem("[water]\nnormal_map_bump = 0.5\n", 5, "water.normal_map_bump needs a normal_map");
+    expectProblem("[water]\n[[water.normal_layers]]\nvelocity = [1, 2]\n", 5, "water.normal_layers needs a normal_map");
+    expectProblem("[water]\nnormal_map = 'a.png'\nnormal_map_bump = 1.5\n", 6, "water.normal_map_bump");
+    expectProblem("[water]\nnormal_map = 'a.png'\nnormal_map_tile = 0\n", 6, "water.normal_map_tile");
+    expectProblem("[water]\nnormal_map = 'a.png'\n[[water.normal_layers]]\nvelocity = [1, 2]\n", 6,
+                  "water.normal_layers must be 4, not 1");
+}
+
+/// As every picture: the rest can be drawn, and is.
+TEST_F(BadTomlTest, NormalMapsOfWaterThatCannotBeUsedAreWarnings)
+{
+    Image image;
+    image.width = image.height = 2;
+    image.channels = 3;
+    image.bytes = {128, 255, 128, 128, 255, 128, 128, 255, 128, 128, 120, 255}; // the last one as tangent-space maps are
+    writeImage(folder.path() / "blue.png", image);
+    image.channels = 1;
+    image.bytes.resize(4);
+    writeImage(folder.path() / "grey.png", image);
+    folder.file("no.png", "no picture");
+    const std::pair<const char*, const char*> cases[] = {{"none.png", "no such picture"},
+                                                         {"no.png", "no.png"},
+                                                         {"grey.png", "a normal map needs three channels"},
+                                                         {"blue.png", "0.47 at (1, 1)"}};
+    for (const auto& [name, message] : cases) {
+        SCOPED_TRACE(name);
+        const std::size_t before = log.messages().size();
+        const Scene scene =
+            loadScene(folder.file("test.toml", bed + "[water]\nnormal_map = '" + std::string(name) + "'\n"));
+        EXPECT_FALSE(scene.water.normalMap.isSeen());
+        ASSERT_EQ(log.messages().size(), before + 1);
+        EXPECT_CONTAINS(log.messages().back().text, "test.toml:5: ");
+        EXPECT_CONTAINS(log.messages().back().text, message);
+    }
+}
+
 TEST_F(BadTomlTest, UnknownKeysSuggestTheNearest)
 {
     expectProblem("[water]\nlevle = 0\n", 5, "there is no key 'levle' in water; did you mean 'level'?");

@@ -91,7 +91,7 @@ std::vector<std::string> defaultSweeps()
             "reflection.target_size=128:1024:*2",
             "reflection.method=distance,iterative",
             "reflection.facets=one,three,five",
-            "water.fresnel=schlick,exact",
+            "water.fresnel=schlick,table,exact",
             "water.grid=uniform,focused",
             "water.grid_size=17,49,97",
             "water.surface_steps=0,1,2",

@@ -4,11 +4,12 @@
 
 namespace tarn {
 
-gl::Program& GlowPass::highlightProgram(const WaterOptions& options)
+gl::Program& GlowPass::highlightProgram(const WaterOptions& options, bool hasNormalMap)
 {
     gl::Defines defines;
     if (options.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
+    if (hasNormalMap) defines.emplace_back("NORMAL_MAP", "1");
     defines.emplace_back("SURFACE_STEPS", std::to_string(options.surfaceSteps));
     auto& program = programs_[defines];
     if (!program) program = shaders_.program("glow", "passes/water.vert", "passes/glow.frag", defines);
@@ -22,11 +23,12 @@ const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const 
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
     highlight_.bind();
     highlight_.drawFramebuffer().clearColour(vec4(0.0f));
-    gl::Program& p = highlightProgram(options.water);
+    gl::Program& p = highlightProgram(options.water, static_cast<bool>(inputs.normalMap));
     p.use();
     p.texture("sceneDepth", inputs.sceneDepth);
     p.set("glowColour", options.glow.strength * options.glow.colour);
     p.set("glowExponent", options.glow.exponent);
+    if (inputs.normalMap) inputs.normalMap.set(p);
     grid.draw(options.water.gridSize, stats);
     return blur(highlight_.colour());
 }

@@ -5,6 +5,7 @@
 #include "gl/target.h"
 #include "gl/vertex_array.h"
 #include "plan/options.h"
+#include "render/normal_map.h"
 #include "render/water_grid.h"
 
 #include <map>
@@ -19,6 +20,7 @@ public:
     struct Inputs {
         const gl::Texture& sceneDepth; ///< of the picture, water included; its ViewBlock must hold the glow's size
         ivec2 size;                    ///< of the glow's target, pixels
+        NormalMapInputs normalMap{};
     };
 
     /// Highlight and filter. The result is on the display's scale.
@@ -28,7 +30,7 @@ public:
     const gl::Target& blur(const gl::Texture& source);
 
 private:
-    gl::Program& highlightProgram(const WaterOptions& options);
+    gl::Program& highlightProgram(const WaterOptions& options, bool hasNormalMap);
 
     gl::ShaderLibrary& shaders_;
     gl::Target highlight_{"glow highlight"};

@@ -29,6 +29,21 @@ bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
     return inputs.reflection && !asPublished && options.reflection.method == ReflectionOptions::Method::iterative;
 }
 
+bool showsPhong(const Options& options, const WaterPass::Inputs& inputs)
+{
+    return !inputs.underwater && options.water.reflects && options.water.specular == WaterOptions::Specular::phong;
+}
+
+bool fadesLinearly(const Options& options, const WaterPass::Inputs& inputs)
+{
+    return !inputs.underwater && options.water.attenuation == WaterOptions::Attenuation::linear;
+}
+
+bool readsFresnelTable(const Options& options, const WaterPass::Inputs& inputs)
+{
+    return !inputs.underwater && options.water.reflects && options.water.fresnel == WaterOptions::Fresnel::table;
+}
+
 } // namespace
 
 gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
@@ -44,10 +59,17 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (options.refraction.method == RefractionOptions::Method::iterative) defines.emplace_back("ITERATIVE", "1");
     if (options.water.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
+    if (!options.water.reflects) defines.emplace_back("NO_REFLECTION", "1");
+    if (inputs.normalMap) defines.emplace_back("NORMAL_MAP", "1");
     defines.emplace_back("SURFACE_STEPS", std::to_string(options.water.surfaceSteps));
     if (options.water.fresnel == WaterOptions::Fresnel::exact) defines.emplace_back("EXACT_FRESNEL", "1");
+    if (readsFresnelTable(options, inputs))
+        defines.emplace_back("FRESNEL_TABLE",
+                             options.water.fresnelFilter == optics::TableFilter::linear ? "true" : "false");
+    if (inputs.refraction && fadesLinearly(options, inputs)) defines.emplace_back("LINEAR_ATTENUATION", "1");
+    if (showsPhong(options, inputs)) defines.emplace_back("PHONG", "1");
     if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
-    if (!inputs.underwater && options.reflection.facets != ReflectionOptions::Facets::one)
+    if (!inputs.underwater && options.water.reflects && options.reflection.facets != ReflectionOptions::Facets::one)
         defines.emplace_back("FACETS", options.reflection.facets == ReflectionOptions::Facets::three ? "3" : "5");
     auto& program = programs_[defines];
     if (!program) program = shaders_.program("water", "passes/water.vert", "passes/water.frag", defines);
@@ -65,6 +87,7 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
     if (inputs.waterline) p.texture("waterline", *inputs.waterline);
     if (options.water.fresnel == WaterOptions::Fresnel::schlick || inputs.underwater)
         p.set("schlickExponent", options.water.schlickExponent);
+    if (readsFresnelTable(options, inputs)) p.texture("fresnelTable", fresnelTable_.of(inputs.ior, options.water));
     if (inputs.refraction) {
         const View& view = *inputs.refractionView;
         p.texture("refractionColour", inputs.refraction->colour());
@@ -75,6 +98,12 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         p.set("worldFromRefractionView", glm::inverse(view.viewFromWorld));
         p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
         p.set("refractionSteps", options.refraction.steps);
+        if (fadesLinearly(options, inputs)) p.set("attenuationLength", options.water.attenuationLength);
+    }
+    if (inputs.normalMap) inputs.normalMap.set(p);
+    if (showsPhong(options, inputs)) {
+        p.set("phongExponent", options.water.phongExponent);
+        p.set("phongStrength", options.water.phongStrength);
     }
     if (inputs.underwater) p.set("refractionDistance", options.underwater.distance);
     if (inputs.reflection) {

@@ -4,6 +4,8 @@
 #include "gl/shader_library.h"
 #include "gl/target.h"
 #include "plan/options.h"
+#include "render/fresnel_texture.h"
+#include "render/normal_map.h"
 #include "render/renderer.h"
 #include "render/view.h"
 #include "render/water_grid.h"
@@ -23,6 +25,8 @@ public:
         const gl::Target* reflection = nullptr; ///< null: the sky
         const View* reflectionView = nullptr;
         const gl::Texture& skyMap;
+        float ior = 1.33f;       ///< of the water
+        NormalMapInputs normalMap{};
         bool underwater = false; ///< the surface is seen from below
         const gl::Texture* waterline = nullptr; ///< in a frame that shows both sides: which pixels are whose
         DebugView view = DebugView::final;
@@ -39,6 +43,7 @@ private:
 
     gl::ShaderLibrary& shaders_;
     std::map<gl::Defines, std::shared_ptr<gl::Program>> programs_;
+    FresnelTexture fresnelTable_;
 };
 
 } // namespace tarn

@@ -1,0 +1,24 @@
+// Fresnel's shares at the surface seen from above, by the way that water.fresnel chooses. Needs blocks.glsl and
+// refraction.glsl.
+#include "shared/fresnel_table.glsl"
+
+uniform float schlickExponent; // q of eq. 7
+#ifdef FRESNEL_TABLE
+uniform sampler2D fresnelTable; // FRESNEL_TABLE: whether its texels are blended
+#endif
+
+// What of the light passes the surface, and what is mirrored.
+vec2 fresnelShares(float cosine)
+{
+#ifdef FRESNEL_TABLE
+    float place = fresnelTablePlace(cosine, textureSize(fresnelTable, 0).x, FRESNEL_TABLE);
+    return textureLod(fresnelTable, vec2(place, 0.5), 0.0).rg;
+#else
+#ifdef EXACT_FRESNEL
+    float f = fresnelExact(cosine, 1.0 / ior);
+#else
+    float f = fresnelSchlick(cosine, ior, schlickExponent);
+#endif
+    return vec2(1.0 - f, f);
+#endif
+}
