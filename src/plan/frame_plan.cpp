@@ -68,10 +68,12 @@ WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, con
 {
     const mat4 worldFromView = glm::inverse(viewFromWorld(camera));
     const float up = camera.nearPlane * std::tan(0.5f * camera.verticalFov);
-    const vec3 centre(worldFromView * vec4(0.0f, 0.0f, -camera.nearPlane, 1.0f));
+    const float middle = camera.nearPlane * camera.lensShift;
+    const vec3 centre(worldFromView * vec4(middle, 0.0f, -camera.nearPlane, 1.0f));
     Bounds plane;
     for (const vec2 corner : {vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1)})
-        plane.add(vec3(worldFromView * vec4(corner.x * aspect * up, corner.y * up, -camera.nearPlane, 1.0f)));
+        plane.add(
+            vec3(worldFromView * vec4(corner.x * aspect * up + middle, corner.y * up, -camera.nearPlane, 1.0f)));
 
     const vec2 half = 0.5f * water.extent;
     const vec2 lower = water.centre - half;
