@@ -1,6 +1,7 @@
 #include "plan/frame_plan.h"
 
 #include "optics/waves.h"
+#include "plan/stereo.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,6 +178,19 @@ void planSunlight(FramePlan& plan, const Scene& scene, const std::string& noWate
                                  : unwanted(noSunlight);
 }
 
+const char* presentReason(StereoOptions::Output output)
+{
+    switch (output) {
+    case StereoOptions::Output::off: break;
+    case StereoOptions::Output::sideBySide:
+    case StereoOptions::Output::pair:
+        return "tone mapping to the display; all passes for each eye, but sunlight and caustics once";
+    case StereoOptions::Output::anaglyph:
+        return "tone mapping to the display, and both eyes in one; all passes for each eye, but sunlight and caustics once";
+    }
+    return "tone mapping to the display";
+}
+
 ivec2 glowSize(ivec2 size, const Options& options) { return glm::max(size / options.glow.divisor, ivec2(1)); }
 
 } // namespace
@@ -186,7 +200,8 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
 {
     FramePlan plan;
     plan[PassId::scene] = wanted("what the eye sees, without the water", size * options.frame.supersampling, "");
-    plan[PassId::present] = wanted("tone mapping to the display", size, "scene, water");
+    plan[PassId::present] =
+        wanted(presentReason(options.stereo.output), presentedSize(size, options.stereo.output), "scene, water");
 
     plan.underwater = water.present && options.water.enabled && options.underwater.enabled &&
                       overWaterRect(water, camera.eye) &&

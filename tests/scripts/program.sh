@@ -55,6 +55,8 @@ test_wrong_usage() {
     refuse 2 'abvoe.*above' tune "$pool" --max-error 0.1 --camera abvoe
     refuse 2 'samples' budget "$pool" --samples 0
     refuse 2 'abvoe.*above' budget "$pool" --camera abvoe
+    refuse 2 'stereo\.output.*side_by_side' render "$pool" --set stereo.output=beside --out a.png
+    refuse 2 'sweep stereo' trade "$pool" --out a --sweep stereo.output=off,pair
     refuse 2 'hihg.*high' render "$pool" --preset hihg --out a.png
     refuse 2 'png' render "$pool" --out a.bmp
     refuse 2 'png' render "$pool" --out picture
@@ -83,6 +85,23 @@ test_error_map() {
     refuse 1 'size 8x8.*40x30' render "$pool" --error path --reference "$truth" --size 8x8 --out a.png
     refuse 1 'map\.exr' render "$pool" --error path --reference "$work/map.exr" --out a.png
     refuse 1 'nowhere\.exr' render "$pool" --error path --reference nowhere.exr --out a.png
+}
+
+# Two eyes: one picture twice as wide, one anaglyph, or two files.
+test_stereo() {
+    local beside=(--set stereo.output=side_by_side) pair=(--set stereo.output=pair)
+    call 0 render "$pool" --size 40x30 "${beside[@]}" --out a.png
+    [[ $(od -An -tx1 -j16 -N8 a.png | tr -d ' \n') == 000000500000001e ]] || fail "both eyes beside each other are not 80x30"
+    call 0 render "$pool" --size 40x30 --set stereo.output=anaglyph --view normals --out b.png
+    [[ $(od -An -tx1 -j16 -N8 b.png | tr -d ' \n') == 000000280000001e ]] || fail "the anaglyph is not 40x30"
+    call 0 render "$pool" --size 40x30 --frames 2 "${pair[@]}" --out 'c_%d.png'
+    [[ $(grep -c '' "$work/stdout") == 4 ]] || fail "not one line for each of two eyes at two times"
+    call 0 render "$pool" --size 40x30 "${pair[@]}" --check --json d.json --out d.exr
+    grep -q '"d-right.exr"' d.json || fail "the JSON does not name the right eye's file"
+    only_in_out a.png b.png c_0-left.png c_0-right.png c_1-left.png c_1-right.png d-left.exr d-right.exr d.json
+    ! cmp -s c_0-left.png c_0-right.png || fail "both eyes see the same"
+    refuse 1 'a\.exr.*anaglyph.*pair' render "$pool" --size 40x30 --set stereo.output=anaglyph --out a.exr
+    refuse 1 'one eye' budget "$pool" "${pair[@]}"
 }
 
 test_unknown_camera() {
