@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "gl/shader_library.h"
-#include "measure/water_quantities.h"
+#include "measure/disparity.h"
 #include "optics/optics.h"
 #include "plan/stereo.h"
 #include "render/renderer.h"
@@ -276,6 +276,33 @@ TEST(Stereo, SunlightAndCausticsAreDrawnOnce)
     const Options two = stereoOf(plain(), StereoOptions::Output::sideBySide);
     for (const char* pass : {"sunlight", "caustics"}) EXPECT_EQ(trianglesOf(two, pass), trianglesOf(plain(), pass)) << pass;
     for (const char* pass : {"refraction", "water"}) EXPECT_GT(trianglesOf(two, pass), trianglesOf(plain(), pass)) << pass;
+}
+
+// Straight down through still water the drawn pair's disparity is that of the apparent depth h + d / n.
+TEST(Stereo, TheDrawnBedIsAtItsApparentDepth)
+{
+    const double height = 2.0, depth = 3.0, apparent = height + depth / 1.33;
+    const Scene scene = flatLake(static_cast<float>(depth), 40.0f);
+    Camera head;
+    head.eye = {0.0f, static_cast<float>(height), 0.0f};
+    head.target = vec3(0.0f);
+    head.up = {0.0f, 0.0f, -1.0f};
+    head.verticalFov = glm::radians(8.0f);
+    const double perTangent = 0.5 * eyeSize.y / std::tan(glm::radians(4.0));
+    Stage stage(scene, plain());
+    StereoOptions stereo;
+    for (const double convergence : {2.0, apparent, 50.0}) {
+        stereo.convergence = static_cast<float>(convergence);
+        const auto points = [&](Eye eye) {
+            const Camera camera = eyeCamera(head, stereo, eye);
+            return pointsShown(readQuantities(stage.renderer, camera, 0.0, eyeSize), camera, ShownBy::refraction);
+        };
+        const auto found = disparities({points(Eye::left), points(Eye::right)}, scene.water, ShownBy::refraction);
+        const auto& middle = found[static_cast<std::size_t>(eyeSize.y / 2 * eyeSize.x + eyeSize.x / 2)];
+        ASSERT_TRUE(middle);
+        EXPECT_NEAR(middle->x, perTangent * 0.065 * (1.0 / convergence - 1.0 / apparent), 0.05) << convergence;
+        EXPECT_NEAR(middle->y, 0.0, 0.05) << convergence;
+    }
 }
 
 TEST(Stereo, QuantitiesAreOfOneEye)
