@@ -146,8 +146,8 @@ private:
 
     std::optional<Patch> patchOf(ivec2 cell, int half) const
     {
-        const std::array<ivec2, 3> pixels = half == 0 ? std::array{cell, cell + ivec2(1, 0), cell + ivec2(0, 1)}
-                                                      : std::array{cell + ivec2(1, 1), cell + ivec2(0, 1), cell + ivec2(1, 0)};
+        const ivec2 across = cell + ivec2(1, 0), down = cell + ivec2(0, 1);
+        const std::array<ivec2, 3> pixels{half == 0 ? cell : cell + ivec2(1, 1), across, down};
         Patch patch;
         for (std::size_t i = 0; i < 3; ++i) {
             if (!eye_.isKnown[index(pixels[i])]) return std::nullopt;

@@ -17,7 +17,10 @@ Camera eyeCamera(const Camera& camera, const StereoOptions& options, Eye eye)
     return movedAside(camera, eye == Eye::left ? -offset : offset, options.convergence);
 }
 
-ivec2 presentedSize(ivec2 eye, StereoOptions::Output output) { return isBeside(output) ? ivec2(2 * eye.x, eye.y) : eye; }
+ivec2 presentedSize(ivec2 eye, StereoOptions::Output output)
+{
+    return isBeside(output) ? ivec2(2 * eye.x, eye.y) : eye;
+}
 
 ivec2 eyeSizeFor(ivec2 window, StereoOptions::Output output)
 {

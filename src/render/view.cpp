@@ -78,6 +78,7 @@ View refractionView(const Camera& camera, float aspect, const WaterBody& water, 
     constexpr float leastHeight = 0.02f;
     if (options.camera == RefractionOptions::CameraMode::flat && camera.eye.y > water.level + leastHeight)
         view.flatWater = water.level;
+    // A sheared frustum is turned with its camera, by the angle of the ray below the axis.
     if (options.camera == RefractionOptions::CameraMode::snell) {
         const optics::RefractionCamera turned =
             optics::refractionCamera(camera.eye, normalize(camera.target - camera.eye), camera.up,
