@@ -126,6 +126,7 @@ TEST(Stereo, AnObliqueFrustumShowsAPartOfAWiderPicture)
     under.target.y = -0.2f;
     across.eye.y = 0.02f;
     across.target.y = 0.1f;
+    across.up = {0.7f, 0.7f, 0.0f}; // so that the waterline runs aslant, and a shift of it shows
     Options options = plain();
     options.glow.enabled = false; // its target is too small to be a part of another
     options.refraction.targetSize = options.reflection.targetSize = 1024; // a wider picture spreads them wider
