@@ -62,6 +62,13 @@ struct Transmitted {
     float path;    // |A - U|, m
 };
 
+// The tangents, across and up, that a camera sees at a texel; its frustum may be oblique.
+vec2 tangentsAt(mat4 clipFromView, vec2 texel)
+{
+    vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
+    return (2.0 * texel - 1.0 + clipFromView[2].xy) / scale;
+}
+
 // The texel that a camera sees a point at. Behind the camera there is none; the nearest is the target's border.
 vec2 texelOf(vec4 clip) { return clip.xy / max(clip.w, 1.0e-6) * 0.5 + 0.5; }
 
@@ -94,7 +101,7 @@ struct FlatLook {
 FlatLook lookFlat(vec2 texel)
 {
     float z = viewZFromDepth(texture(refractionDepth, texel).r, refractionNearFar.x, refractionNearFar.y);
-    vec2 tangent = (2.0 * texel - 1.0) / vec2(refractionClipFromView[0][0], refractionClipFromView[1][1]);
+    vec2 tangent = tangentsAt(refractionClipFromView, texel);
     vec3 seen = (worldFromRefractionView * vec4(vec3(-tangent, 1.0) * z, 1.0)).xyz;
     FlatLook look = FlatLook(flatTrue(eye, seen, waterLevel, ior), vec3(0.0));
     vec4 shown = texture(refractionShown, texel);
@@ -299,7 +306,7 @@ vec4 shownMirrored(vec3 reflected)
     vec2 texel = clamp(reflectionTexel(reflected), 0.5 / size, 1.0 - 0.5 / size); // past its border, the border
     // The nearest sample's depth: a mean over an edge is the depth of nothing.
     float depth = texelFetch(reflectionDepth, ivec2(texel * size), 0).r;
-    vec3 ray = vec3((2.0 * texel - 1.0) / vec2(reflectionClipFromView[0][0], reflectionClipFromView[1][1]), -1.0);
+    vec3 ray = vec3(tangentsAt(reflectionClipFromView, texel), -1.0);
     if (depth >= 1.0) return vec4(normalize(mat3(worldFromReflectionView) * ray), 2.0);
     vec3 seen = ray * -viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
     return vec4((worldFromReflectionView * vec4(seen, 1.0)).xyz, 1.0);

@@ -16,6 +16,7 @@ void run(const BudgetCommand& command)
     const Stage stage = loadStage(command.scene, &progress);
     const Camera camera = chooseCamera(stage.scene, command.view.camera);
     const Settings& settings = stage.settings;
+    requireOneEye(settings, "errors are measured in one eye's picture");
     if (!settings.water.present || !settings.options.water.enabled)
         throw Error("{}: has no water, and so none of the errors that a budget parts",
                     stage.scene.file.string());

@@ -409,6 +409,32 @@ std::function<Command()> defineCompare(Flags& flags)
     };
 }
 
+std::function<Command()> defineDisparity(Flags& flags)
+{
+    auto command = std::make_shared<DisparityCommand>();
+    DisparityCommand& c = *command;
+    addScene(flags, c.scene);
+    flags.value("--reference", "FILE", "NAME.exr, for the pair NAME-left.exr and NAME-right.exr of tarn reference",
+                [&c](const std::string& text, const std::string&) { c.reference = text; });
+    flags.value("--out", "FILE", "Map of the error over the left picture: .png as colours, .exr as pixels",
+                [&c](const std::string& text, const std::string&) { c.out = text; });
+    flags.value("--of", "WAY", "What the map shows: refraction (by default) or reflection",
+                [&c](const std::string& text, const std::string& flag) {
+                    const auto found = std::find(shownByNames.begin(), shownByNames.end(), text);
+                    if (found == shownByNames.end())
+                        throw UsageError("{} {}: no such way; there are {}", flag, text, fmt::join(shownByNames, ", "));
+                    c.mapped = static_cast<ShownBy>(found - shownByNames.begin());
+                });
+    flags.number("--scale", "PX", "Error that the map shows in full colour, pixels", c.scale, 1e-6, 1e6);
+    flags.text("--json", "FILE", jsonDoc, c.json);
+    return [command]() -> Command {
+        if (command->reference.empty())
+            throw UsageError("disparity needs --reference FILE; make the pair with: tarn reference --set "
+                             "stereo.output=pair --out truth.exr");
+        return *command;
+    };
+}
+
 std::function<Command()> defineOptions(Flags& flags)
 {
     auto command = std::make_shared<OptionsCommand>();
@@ -440,6 +466,7 @@ constexpr CommandRow commands[] = {
     {"budget", "Say which part of a picture's error each approximation owns", defineBudget},
     {"explain", "Say which passes a frame runs, and why", defineExplain},
     {"compare", "Say how different two pictures are, to the eye and in their values", defineCompare},
+    {"disparity", "Say how far a drawn pair's disparity is from the reference's pair", defineDisparity},
     {"options", "List every option", defineOptions},
     {"info", "Say what this program, machine and scene are", defineInfo},
 };

@@ -3,6 +3,7 @@
 
 #include "app/settings.h"
 #include "base/math.h"
+#include "measure/disparity.h"
 #include "measure/flip.h"
 #include "measure/paper_tables.h"
 #include "measure/water_errors.h"
@@ -135,6 +136,15 @@ struct CompareCommand {
     std::string json;
 };
 
+struct DisparityCommand {
+    SceneArguments scene;
+    std::filesystem::path reference; ///< as given to tarn reference: NAME.exr stands for NAME-left.exr and NAME-right.exr
+    std::filesystem::path out;       ///< map of the error, over the left picture; empty: none
+    ShownBy mapped = ShownBy::refraction;
+    double scale = 2.0; ///< error of full colour in the map, pixels
+    std::string json;
+};
+
 struct OptionsCommand {
     std::string json;
 };
@@ -150,7 +160,8 @@ struct PrintCommand {
 };
 
 using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, CompareCommand, BenchCommand,
-                             TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, OptionsCommand, InfoCommand>;
+                             DisparityCommand, TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, OptionsCommand,
+                             InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a
 /// word that is none.

@@ -13,11 +13,12 @@ namespace tarn
 std::map<std::string, std::string> pictureHeader(const Stage& stage, const Camera& camera, double time)
 {
     const auto triple = [](const vec3& v) { return std::vector<float>{v.x, v.y, v.z}; };
-    const nlohmann::json view{{"name", camera.name},
-                              {"eye", triple(camera.eye)},
-                              {"target", triple(camera.target)},
-                              {"up", triple(camera.up)},
-                              {"vertical_fov_degrees", glm::degrees(camera.verticalFov)}};
+    nlohmann::json view{{"name", camera.name},
+                        {"eye", triple(camera.eye)},
+                        {"target", triple(camera.target)},
+                        {"up", triple(camera.up)},
+                        {"vertical_fov_degrees", glm::degrees(camera.verticalFov)}};
+    if (camera.lensShift != 0.0f) view["lens_shift"] = camera.lensShift;
     return {{"tarn:version", versionText()},
             {"tarn:scene", stage.scene.file.filename().string()},
             {"tarn:camera", view.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)},

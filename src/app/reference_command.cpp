@@ -5,10 +5,13 @@
 #include "app/picture_header.h"
 #include "app/reference_view.h"
 #include "app/stage.h"
+#include "app/stereo_files.h"
 #include "base/error.h"
 #include "reference/reference.h"
 
 #include <nlohmann/json.hpp>
+
+#include <optional>
 
 namespace tarn
 {
@@ -23,24 +26,86 @@ std::filesystem::path unfinishedFile(const std::filesystem::path& out)
     return file.replace_extension(".unfinished.exr");
 }
 
-nlohmann::json reportJson(const ReferenceCommand& command, const Stage& stage, const Camera& camera,
+/// One picture that was asked for: a view of the scene, or one eye's.
+struct Shot {
+    Camera camera;
+    std::filesystem::path out;
+    std::optional<Eye> eye;
+};
+
+/// One, or two with stereo.output = pair. A reference holds what one eye's rays meet: both in one picture are refused.
+std::vector<Shot> shotsOf(const ReferenceCommand& command, const Camera& camera, const StereoOptions& stereo)
+{
+    switch (stereo.output) {
+    case StereoOptions::Output::off:
+        return {{camera, command.out, std::nullopt}};
+    case StereoOptions::Output::pair:
+        break;
+    case StereoOptions::Output::sideBySide:
+    case StereoOptions::Output::anaglyph:
+        throw Error("{}: a reference holds what one eye sees; set stereo.output=pair for two, or off", command.out);
+    }
+    std::vector<Shot> shots;
+    for (const Eye eye : bothEyes)
+        shots.push_back({eyeCamera(camera, stereo, eye), eyeFile(command.out, eye), eye});
+    return shots;
+}
+
+reference::Picture trace(const reference::Tracer& tracer, const ReferenceCommand& command, const Shot& shot,
+                         Progress& progress, reference::TraceReport& report)
+{
+    const std::filesystem::path unfinished = unfinishedFile(shot.out);
+    try {
+        return tracer.render(
+            {.camera = shot.camera, .time = command.view.time, .size = command.view.size, .approximations = {}},
+            command.reference, &progress,
+            {.file = unfinished, .everySeconds = 30.0, .interrupt = &InterruptGuard::flag()}, &report);
+    } catch (const reference::Interrupted&) {
+        throw Error("interrupted; {} keeps what is done, the same command goes on from there", unfinished.string());
+    }
+}
+
+void write(const Stage& stage, const ReferenceCommand& command, const Shot& shot, reference::Picture& picture)
+{
+    picture.metadata.merge(pictureHeader(stage, shot.camera, command.view.time));
+    if (shot.eye) picture.metadata["tarn:eye"] = eyeName(*shot.eye);
+    if (shot.out.extension() == ".exr") reference::writePicture(shot.out, picture);
+    else writeImage(shot.out, displayPicture(picture, stage.settings.options.frame), picture.metadata);
+    std::error_code ignored; // there is none when the work was short
+    std::filesystem::remove(unfinishedFile(shot.out), ignored);
+}
+
+nlohmann::json reportJson(const ReferenceCommand& command, const Stage& stage, const Shot& shot,
                           const reference::TraceReport& report)
 {
-    return {{"file", command.out},
-            {"scene", stage.scene.file.string()},
-            {"camera", camera.name},
-            {"time", command.view.time},
-            {"size", {command.view.size.x, command.view.size.y}},
-            {"samples", command.reference.samples},
-            {"depth", command.reference.depth},
-            {"bounces", command.reference.bounces},
-            {"seed", command.reference.seed},
-            {"seconds", report.seconds},
-            {"radiance_noise", report.radianceNoise},
-            {"truncated_share", report.truncatedShare},
-            {"photons", report.photons},
-            {"caustics_noise", report.causticsNoise},
-            {"lost_photons", report.lostPhotons}};
+    nlohmann::json json{{"file", shot.out.string()},
+                        {"scene", stage.scene.file.string()},
+                        {"camera", shot.camera.name},
+                        {"time", command.view.time},
+                        {"size", {command.view.size.x, command.view.size.y}},
+                        {"samples", command.reference.samples},
+                        {"depth", command.reference.depth},
+                        {"bounces", command.reference.bounces},
+                        {"seed", command.reference.seed},
+                        {"seconds", report.seconds},
+                        {"radiance_noise", report.radianceNoise},
+                        {"truncated_share", report.truncatedShare},
+                        {"photons", report.photons},
+                        {"caustics_noise", report.causticsNoise},
+                        {"lost_photons", report.lostPhotons}};
+    if (shot.eye) json["eye"] = eyeName(*shot.eye);
+    return json;
+}
+
+void print(const ReferenceCommand& command, const Shot& shot, const reference::TraceReport& report)
+{
+    fmt::print("{}\n  {} samples, noise {:.2g} of the mean luminance; not followed beyond {} meetings with the water: "
+               "at most {:.2g} of the light\n",
+               shot.out.string(), command.reference.samples, report.radianceNoise, command.reference.depth,
+               report.truncatedShare);
+    if (report.photons > 0)
+        fmt::print("  {} photons, noise {:.2g} of the mean irradiance; {:.2g} of them met no bed\n", report.photons,
+                   report.causticsNoise, report.lostPhotons);
 }
 
 } // namespace
@@ -52,37 +117,23 @@ void run(const ReferenceCommand& command)
     TerminalProgress progress;
     Stage stage = loadStage(command.scene, &progress);
     if (!stage.settings.options.water.enabled) stage.settings.water.present = false;
-    const Camera camera = chooseCamera(stage.scene, command.view.camera);
+    const std::vector<Shot> shots =
+        shotsOf(command, chooseCamera(stage.scene, command.view.camera), stage.settings.options.stereo);
 
     const reference::Tracer tracer(stage.scene, stage.settings.water, stage.settings.options.water.sunRoughness);
-    const reference::ViewRequest view{.camera = camera, .time = command.view.time, .size = command.view.size, .approximations = {}};
-    const std::filesystem::path unfinished = unfinishedFile(command.out);
     InterruptGuard guard;
-    reference::TraceReport report;
-    reference::Picture picture;
-    try {
-        picture = tracer.render(view, command.reference, &progress,
-                                {.file = unfinished, .everySeconds = 30.0, .interrupt = &InterruptGuard::flag()},
-                                &report);
-    } catch (const reference::Interrupted&) {
-        throw Error("interrupted; {} keeps what is done, the same command goes on from there", unfinished.string());
+    std::vector<reference::TraceReport> reports;
+    for (const Shot& shot : shots) {
+        reference::Picture picture = trace(tracer, command, shot, progress, reports.emplace_back());
+        write(stage, command, shot, picture);
     }
-    picture.metadata.merge(pictureHeader(stage, camera, command.view.time));
-    const std::filesystem::path out = command.out;
-    if (out.extension() == ".exr") reference::writePicture(out, picture);
-    else writeImage(out, displayPicture(picture, stage.settings.options.frame), picture.metadata);
-    std::error_code ignored; // there is none when the work was short
-    std::filesystem::remove(unfinished, ignored);
 
-    writeJson(command.json, reportJson(command, stage, camera, report));
-    if (command.json == "-") return;
-    fmt::print("{}\n  {} samples, noise {:.2g} of the mean luminance; not followed beyond {} meetings with the water: "
-               "at most {:.2g} of the light\n",
-               command.out, command.reference.samples, report.radianceNoise, command.reference.depth,
-               report.truncatedShare);
-    if (report.photons > 0)
-        fmt::print("  {} photons, noise {:.2g} of the mean irradiance; {:.2g} of them met no bed\n", report.photons,
-                   report.causticsNoise, report.lostPhotons);
+    nlohmann::json json = nlohmann::json::array();
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        json.push_back(reportJson(command, stage, shots[i], reports[i]));
+        if (command.json != "-") print(command, shots[i], reports[i]);
+    }
+    writeJson(command.json, shots.size() == 1 ? json.front() : json);
 }
 
 } // namespace tarn

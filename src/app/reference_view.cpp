@@ -47,6 +47,7 @@ ReferenceView referenceView(const reference::Picture& picture, const Scene& scen
         camera.target = vectorFrom(json.at("target"));
         camera.up = vectorFrom(json.at("up"));
         camera.verticalFov = glm::radians(json.at("vertical_fov_degrees").get<float>());
+        camera.lensShift = json.value("lens_shift", 0.0f);
         return {camera, std::stod(time)};
     } catch (const std::exception& error) { // of JSON, or of the number
         throw Error("{}: its header's camera or time is damaged ({})", file.string(), error.what());
@@ -59,7 +60,8 @@ bool isSameView(const Camera& a, const Camera& b)
     const auto forward = [](const Camera& c) { return glm::normalize(c.target - c.eye); };
     const auto right = [&](const Camera& c) { return glm::normalize(glm::cross(forward(c), c.up)); };
     return glm::distance(a.eye, b.eye) < position && glm::distance(forward(a), forward(b)) < angle &&
-           glm::distance(right(a), right(b)) < angle && std::abs(a.verticalFov - b.verticalFov) < angle;
+           glm::distance(right(a), right(b)) < angle && std::abs(a.verticalFov - b.verticalFov) < angle &&
+           std::abs(a.lensShift - b.lensShift) < angle;
 }
 
 void warnOfOtherScene(const reference::Picture& picture, const Scene& scene, const std::filesystem::path& file)

@@ -5,6 +5,7 @@
 #include "app/plan_report.h"
 #include "app/render_error.h"
 #include "app/session.h"
+#include "app/stereo_files.h"
 #include "base/error.h"
 #include "base/log.h"
 
@@ -21,7 +22,7 @@ namespace
 struct Shot {
     Camera camera;
     double time = 0.0;
-    std::filesystem::path file;
+    std::filesystem::path file; ///< with stereo.output = pair, what both files' names are made from
 };
 
 std::vector<Shot> sequenceShots(const RenderCommand& command, const Scene& scene)
@@ -61,12 +62,13 @@ void requireWritable(const RenderCommand& command)
     }
 }
 
-std::map<std::string, std::string> metadata(const RenderCommand& command, const Stage& stage,
-                                            const Shot& shot)
+/// An anaglyph is refused here, before any work.
+void requireRadiance(const Settings& settings, const Shot& shot)
 {
-    std::map<std::string, std::string> header = pictureHeader(stage, shot.camera, shot.time);
-    header["tarn:view"] = debugViewNames[static_cast<std::size_t>(command.debugView)];
-    return header;
+    if (settings.options.stereo.output == StereoOptions::Output::anaglyph && shot.file.extension() == ".exr")
+        throw Error("{}: an anaglyph is made of what a display shows; write a .png, or set stereo.output=side_by_side or "
+                    "pair",
+                    shot.file.string());
 }
 
 void requireClean(const Renderer& renderer, const Shot& shot)
@@ -80,16 +82,43 @@ void requireClean(const Renderer& renderer, const Shot& shot)
         throw Error("{}: OpenGL reported: {}", shot.file.string(), gl::lastDebugError());
 }
 
-void writePicture(const Renderer& renderer, const Shot& shot,
-                  const std::map<std::string, std::string>& header)
+/// What a picture's header says of the view it shows.
+std::map<std::string, std::string> metadata(const RenderCommand& command, const Stage& stage, const Camera& camera,
+                                            double time)
 {
-    const bool linear = shot.file.extension() == ".exr";
-    writeImage(shot.file, linear ? renderer.readLinear() : renderer.readDisplay(), header);
+    std::map<std::string, std::string> header = pictureHeader(stage, camera, time);
+    header["tarn:view"] = debugViewNames[static_cast<std::size_t>(command.debugView)];
+    return header;
 }
 
-nlohmann::json statsJson(const FrameStats& stats, const Shot& shot)
+/// Returns the names of the files.
+std::vector<std::filesystem::path> writePictures(const Renderer& renderer, const RenderCommand& command,
+                                                 const Stage& stage, const Shot& shot)
 {
-    nlohmann::json json{{"file", shot.file.string()},
+    const bool linear = shot.file.extension() == ".exr";
+    const Image image = linear ? renderer.readLinear() : renderer.readDisplay();
+    const StereoOptions& stereo = stage.settings.options.stereo;
+    if (stereo.output != StereoOptions::Output::pair) {
+        writeImage(shot.file, image, metadata(command, stage, shot.camera, shot.time));
+        return {shot.file};
+    }
+    std::vector<std::filesystem::path> files;
+    for (const Eye eye : bothEyes) {
+        auto header = metadata(command, stage, eyeCamera(shot.camera, stereo, eye), shot.time);
+        header["tarn:eye"] = eyeName(eye);
+        files.push_back(eyeFile(shot.file, eye));
+        writeImage(files.back(), eyeHalf(image, eye), header);
+    }
+    return files;
+}
+
+nlohmann::json statsJson(const FrameStats& stats, const Shot& shot, const std::vector<std::filesystem::path>& files)
+{
+    std::vector<std::string> names;
+    for (const std::filesystem::path& file : files)
+        names.push_back(file.string());
+    nlohmann::json json{{"file", names.front()},
+                        {"files", names},
                         {"camera", shot.camera.name},
                         {"time", shot.time},
                         {"triangles", stats.triangles()},
@@ -110,7 +139,9 @@ void run(const RenderCommand& command)
     const Stage stage = loadStage(command.scene, &progress);
     const std::vector<Shot> shots =
         command.allCameras ? cameraShots(command, stage.scene) : sequenceShots(command, stage.scene);
-    Session session(stage, command.view.size, &progress);
+    for (const Shot& shot : shots)
+        requireRadiance(stage.settings, shot);
+    Session session(stage, presentedSize(command.view.size, stage.settings.options.stereo.output), &progress);
     Renderer& renderer = session.renderer();
     renderer.setChecking(command.check);
 
@@ -119,6 +150,7 @@ void run(const RenderCommand& command)
                         {"size", {command.view.size.x, command.view.size.y}},
                         {"settings", nlohmann::json::parse(settingsJson(stage.settings))},
                         {"frames", nlohmann::json::array()}};
+    std::vector<std::filesystem::path> written;
     for (std::size_t i = 0; i < shots.size(); ++i) {
         const Shot& shot = shots[i];
         progress.report(static_cast<double>(i) / static_cast<double>(shots.size()),
@@ -126,13 +158,14 @@ void run(const RenderCommand& command)
         const FrameStats& stats =
             renderer.render({shot.camera, shot.time, command.view.size, command.debugView});
         if (command.check) requireClean(renderer, shot);
-        writePicture(renderer, shot, metadata(command, stage, shot));
-        json["frames"].push_back(statsJson(stats, shot));
+        const auto files = writePictures(renderer, command, stage, shot);
+        json["frames"].push_back(statsJson(stats, shot, files));
+        written.insert(written.end(), files.begin(), files.end());
     }
     writeJson(command.json, json);
     if (command.json != "-")
-        for (const Shot& shot : shots)
-            fmt::print("{}\n", shot.file.string());
+        for (const std::filesystem::path& file : written)
+            fmt::print("{}\n", file.string());
 }
 
 } // namespace tarn

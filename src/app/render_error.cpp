@@ -80,6 +80,7 @@ void renderError(const RenderCommand& command)
     const reference::Picture truth = reference::readPicture(command.reference);
     TerminalProgress progress;
     const Stage stage = loadStage(command.scene, &progress);
+    requireOneEye(stage.settings, "errors are measured in one eye's picture");
     const ReferenceView view = viewOf(command, truth, stage.scene);
     Session session(stage, truth.size, &progress);
     session.renderer().setChecking(command.check);

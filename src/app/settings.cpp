@@ -47,6 +47,11 @@ Settings resolveSettings(const Scene& scene, const SettingsArguments& arguments)
     return settings;
 }
 
+void requireOneEye(const Settings& settings, const char* why)
+{
+    if (settings.options.stereo.isOn()) throw Error("stereo.output is on: {}; set stereo.output=off", why);
+}
+
 std::string settingsJson(Settings settings)
 {
     return toJson(fieldTree(settings)).dump();

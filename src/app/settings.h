@@ -36,6 +36,10 @@ std::vector<Assignment> readOptionsFile(const std::filesystem::path& file);
 /// Throws UsageError for the command line's mistakes and Error for the scene file's.
 Settings resolveSettings(const Scene& scene, const SettingsArguments& arguments);
 
+/// Throws Error when the settings draw for two eyes.
+/// @param why one is wanted, after a colon: "errors are measured in one eye's picture"
+void requireOneEye(const Settings& settings, const char* why);
+
 /// The settings as JSON, for the header of a picture.
 std::string settingsJson(Settings settings);
 

@@ -157,6 +157,11 @@ void run(const TradeCommand& command)
         TerminalProgress progress;
         return loadStage(command.scene, &progress);
     }();
+    requireOneEye(stage.settings, "errors are measured in one eye's picture");
+    for (const std::string& sweep : command.sweeps)
+        if (sweep.starts_with("stereo."))
+            throw UsageError("--sweep {}: errors are measured in one eye's picture; tarn bench --vary tells what two cost",
+                             sweep);
     const std::vector<Camera> views = chooseViews(stage.scene, command.views, mostViews, "--views");
     const TradeSetup setup = setupOf(command, stage, views);
     TradeStore store(command.out, keyOf(setup), command.fresh);

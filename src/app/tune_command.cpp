@@ -55,6 +55,7 @@ void run(const TuneCommand& command)
     if (!command.out.empty()) requireWritableFolder(command.out.parent_path());
     TerminalProgress progress;
     const Stage stage = loadStage(command.scene, &progress);
+    requireOneEye(stage.settings, "errors are measured in one eye's picture");
     const std::vector<Camera> views = chooseViews(stage.scene, command.cameras, mostViews, "--camera");
     TradeSetup setup;
     setup.describe = describerOf(stage.settings);

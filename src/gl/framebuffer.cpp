@@ -193,6 +193,12 @@ void Framebuffer::blitTo(const Framebuffer& destination, const Copy& copy) const
             "samples of framebuffer \"{}\" ({}x{}) cannot be resolved into \"{}\" ({}x{}): the sizes differ",
             label(), size_.x, size_.y, destination.label(), destination.size_.x, destination.size_.y);
     }
+    const ivec2 from = copy.corner.value_or(ivec2(0));
+    const ivec2 to = copy.corner ? from + size_ : destination.size_;
+    if (from.x < 0 || from.y < 0 || to.x > destination.size_.x || to.y > destination.size_.y) {
+        throw Error("framebuffer \"{}\" ({}x{}) does not fit into \"{}\" ({}x{}) at {},{}", label(), size_.x, size_.y,
+                    destination.label(), destination.size_.x, destination.size_.y, from.x, from.y);
+    }
     const ScopedBinding read(GL_READ_FRAMEBUFFER, object_.name());
     const ScopedBinding draw(GL_DRAW_FRAMEBUFFER, destination.object_.name());
     // A blit writes every draw buffer, so only the chosen one may be enabled. The window's are its own
@@ -208,7 +214,7 @@ void Framebuffer::blitTo(const Framebuffer& destination, const Copy& copy) const
                             (copy.depth ? GL_DEPTH_BUFFER_BIT : GLbitfield{0});
     // OpenGL allows depth to be copied texel by texel only.
     const bool smooth = copy.filter == Filter::linear && !copy.depth && samples_ == 1;
-    glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, destination.size_.x, destination.size_.y, mask,
+    glBlitFramebuffer(0, 0, size_.x, size_.y, from.x, from.y, to.x, to.y, mask,
                       smooth ? GL_LINEAR : GL_NEAREST);
     if (chooseOutput) drawIntoAll(destination.colourCount_);
     if (copy.colour && object_) glReadBuffer(GL_COLOR_ATTACHMENT0);

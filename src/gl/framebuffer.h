@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -78,8 +79,10 @@ public:
         bool depth = false; ///< needs equal formats
         Filter filter = Filter::nearest;
         int output = 0; ///< of both
+        std::optional<ivec2> corner{}; ///< lower left one in the destination, for a copy that is not stretched
     };
-    /// Copies the whole picture, resolving samples (sizes must then be equal) or stretching it.
+    /// Copies the whole picture, resolving samples (sizes must then be equal), stretching it, or to a place. Throws Error
+    /// when it does not fit there.
     void blitTo(const Framebuffer& destination, const Copy& copy) const;
 
     /// Four values per pixel, rows from bottom to top. Waits for the GPU. Throws Error on a multisampled one.

@@ -1,5 +1,6 @@
 #include "measure/water_quantities.h"
 
+#include "base/error.h"
 #include "render/view.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ WaterQuantities::WaterQuantities(ivec2 pictureSize) : size(pictureSize)
 
 WaterQuantities readQuantities(Renderer& renderer, const Camera& camera, double time, ivec2 size)
 {
+    if (renderer.options().stereo.isOn()) throw Error("quantities are read for one eye; set stereo.output=off");
     WaterQuantities q(size);
     q.eye = camera.eye;
     q.reflects = renderer.options().water.reflects;

@@ -46,7 +46,8 @@ struct WaterQuantities {
     std::size_t pixels() const { return isWater.size(); }
 };
 
-/// Renders the frame once for each of the debug views, and as it is. Leaves that last one in the renderer.
+/// Renders the frame once for each of the debug views, and as it is. Leaves that last one in the renderer. Throws Error
+/// when that draws for two eyes: each has quantities of its own.
 WaterQuantities readQuantities(Renderer& renderer, const Camera& camera, double time, ivec2 size);
 
 } // namespace tarn

@@ -1,6 +1,7 @@
 #include "plan/frame_plan.h"
 
 #include "optics/waves.h"
+#include "plan/stereo.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,10 +69,12 @@ WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, con
 {
     const mat4 worldFromView = glm::inverse(viewFromWorld(camera));
     const float up = camera.nearPlane * std::tan(0.5f * camera.verticalFov);
-    const vec3 centre(worldFromView * vec4(0.0f, 0.0f, -camera.nearPlane, 1.0f));
+    const float middle = camera.nearPlane * camera.lensShift;
+    const vec3 centre(worldFromView * vec4(middle, 0.0f, -camera.nearPlane, 1.0f));
     Bounds plane;
     for (const vec2 corner : {vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1)})
-        plane.add(vec3(worldFromView * vec4(corner.x * aspect * up, corner.y * up, -camera.nearPlane, 1.0f)));
+        plane.add(
+            vec3(worldFromView * vec4(corner.x * aspect * up + middle, corner.y * up, -camera.nearPlane, 1.0f)));
 
     const vec2 half = 0.5f * water.extent;
     const vec2 lower = water.centre - half;
@@ -176,6 +179,19 @@ void planSunlight(FramePlan& plan, const Scene& scene, const std::string& noWate
                                  : unwanted(noSunlight);
 }
 
+const char* presentReason(StereoOptions::Output output)
+{
+    switch (output) {
+    case StereoOptions::Output::off: break;
+    case StereoOptions::Output::sideBySide:
+    case StereoOptions::Output::pair:
+        return "tone mapping to the display; all passes for each eye, but sunlight and caustics once";
+    case StereoOptions::Output::anaglyph:
+        return "tone mapping to the display, and both eyes in one; all passes for each eye, but sunlight and caustics once";
+    }
+    return "tone mapping to the display";
+}
+
 ivec2 glowSize(ivec2 size, const Options& options) { return glm::max(size / options.glow.divisor, ivec2(1)); }
 
 } // namespace
@@ -185,7 +201,8 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
 {
     FramePlan plan;
     plan[PassId::scene] = wanted("what the eye sees, without the water", size * options.frame.supersampling, "");
-    plan[PassId::present] = wanted("tone mapping to the display", size, "scene, water");
+    plan[PassId::present] =
+        wanted(presentReason(options.stereo.output), presentedSize(size, options.stereo.output), "scene, water");
 
     plan.underwater = water.present && options.water.enabled && options.underwater.enabled &&
                       overWaterRect(water, camera.eye) &&

@@ -61,7 +61,7 @@ float drawnHeight(const WaterBody& water, const optics64::WaterGrid& grid, vec2 
 /// @param aspect width / height of the picture   @param time seconds
 WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, const Camera& camera, float aspect, double time);
 
-/// @param size of the picture, pixels   @param time seconds
+/// @param camera of one eye, in stereo   @param size of the picture, or of one eye's, pixels   @param time seconds
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
                     ivec2 size, double time);
 

@@ -23,6 +23,7 @@ constexpr std::array facetsNames{"one", "three", "five"};
 constexpr std::array causticsMethodNames{"cpu", "points", "fetch", "mesh"};
 constexpr std::array underwaterRefractionNames{"paper", "exact"};
 constexpr std::array depthFormatNames{"depth16", "depth24", "depth32f"};
+constexpr std::array stereoOutputNames{"off", "side_by_side", "anaglyph", "pair"};
 
 void visit(FieldVisitor& v, FrameOptions& o)
 {
@@ -179,6 +180,16 @@ void visit(FieldVisitor& v, GlowOptions& o)
     v.field({"divisor", "The glow's target has the picture's size divided by this", "", 1, 64}, o.divisor);
 }
 
+void visit(FieldVisitor& v, StereoOptions& o)
+{
+    v.choice({"output", "Draw for two eyes: the left one's picture beside the right one's, both in one for red-cyan "
+                        "glasses, or one file each"},
+             o.output, stereoOutputNames);
+    v.field({"separation", "Distance between the eyes", "m", 0.0, 10.0}, o.separation);
+    v.field({"convergence", "How far off both eyes see a thing in the same place of their pictures", "m", 0.1, 100000.0},
+            o.convergence);
+}
+
 template <typename Group> void visitGroup(FieldVisitor& v, const char* name, const char* doc, Group& group)
 {
     v.enter(name, doc);
@@ -198,6 +209,7 @@ void visit(FieldVisitor& visitor, Options& options)
     visitGroup(visitor, "caustics", "Caustics", options.caustics);
     visitGroup(visitor, "underwater", "Under water", options.underwater);
     visitGroup(visitor, "glow", "Glow", options.glow);
+    visitGroup(visitor, "stereo", "Two eyes", options.stereo);
 }
 
 } // namespace tarn

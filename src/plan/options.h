@@ -105,6 +105,15 @@ struct GlowOptions {
     int divisor = 8;
 };
 
+struct StereoOptions {
+    enum class Output { off, sideBySide, anaglyph, pair };
+    Output output = Output::off;
+    float separation = 0.065f;
+    float convergence = 5.0f;
+
+    bool isOn() const { return output != Output::off; }
+};
+
 struct Options {
     FrameOptions frame;
     WaterOptions water;
@@ -114,6 +123,7 @@ struct Options {
     CausticsOptions caustics;
     UnderwaterOptions underwater;
     GlowOptions glow;
+    StereoOptions stereo;
 };
 
 void visit(FieldVisitor& visitor, Options& options);

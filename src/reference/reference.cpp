@@ -30,12 +30,13 @@ public:
         right_ = glm::normalize(glm::cross(forward_, dvec3(camera.up)));
         up_ = glm::cross(right_, forward_);
         tangent_ = std::tan(0.5 * static_cast<double>(camera.verticalFov));
+        shift_ = static_cast<double>(camera.lensShift);
     }
     /// @param x,y in pixels from the upper left corner
     Ray through(double x, double y) const
     {
         const double scale = 2.0 * tangent_ / size_.y;
-        const double u = (x - 0.5 * size_.x) * scale, v = (0.5 * size_.y - y) * scale;
+        const double u = (x - 0.5 * size_.x) * scale + shift_, v = (0.5 * size_.y - y) * scale;
         return {eye_, glm::normalize(forward_ + u * right_ + v * up_)};
     }
     double pixelAngle() const { return 2.0 * tangent_ / size_.y; }
@@ -43,7 +44,7 @@ public:
 private:
     dvec3 eye_, forward_, right_, up_;
     ivec2 size_;
-    double tangent_;
+    double tangent_, shift_;
 };
 
 template <typename Visit> void overPixels(ivec2 size, const Visit& visit)
@@ -203,6 +204,7 @@ std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOpti
     }
     text += fmt::format("; {}; {}; {} triangles at {}", triple(body.absorption), triple(body.colour),
                         scene.meshes.size(), triple(geometry.bounds().upper));
+    if (c.lensShift != 0.0f) text += fmt::format("; lens shift {}", c.lensShift);
     if (view.normalGridSize > 0) text += fmt::format("; normals of grid {}", view.normalGridSize);
     if (const auto& map = view.causticsTexture)
         text += fmt::format("; caustics {},{} {},{} by {} filter {}", map->rect.x, map->rect.y, map->rect.z,

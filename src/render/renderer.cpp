@@ -15,10 +15,12 @@
 #include "render/passes/reflection.h"
 #include "render/passes/refraction.h"
 #include "render/passes/scene_pass.h"
+#include "render/passes/stereo.h"
 #include "render/passes/sunlight.h"
 #include "render/passes/water.h"
 #include "render/passes/waterline.h"
 #include "render/pixel_check.h"
+#include "render/read_back.h"
 #include "render/sun_views.h"
 
 #include <cmath>
@@ -66,6 +68,13 @@ std::size_t FrameStats::triangles() const
     return sum;
 }
 
+FrameStats::Pass& FrameStats::of(const std::string& name)
+{
+    for (Pass& pass : passes)
+        if (pass.name == name) return pass;
+    return passes.emplace_back(Pass{name, 0, 0});
+}
+
 std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
 {
     return std::make_unique<gl::ShaderLibrary>(projectRoot() / "shaders", shaderBindings());
@@ -82,7 +91,7 @@ struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
         : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, anisotropyFor(o.frame), progress),
           painter(gpuScene, shaders), causticsPass(shaders), waterPass(shaders), waterline(shaders),
-          glowPass(shaders), downsample(shaders), presentPass(shaders), debugCopy(shaders)
+          glowPass(shaders), downsample(shaders), presentPass(shaders), debugCopy(shaders), stereo(shaders)
     {
     }
 
@@ -119,6 +128,7 @@ struct Renderer::State {
     DownsamplePass downsample;
     PresentPass presentPass;
     DebugCopyPass debugCopy;
+    StereoPass stereo;
 
     FrameStats stats;
     bool checking = false;
@@ -126,8 +136,11 @@ struct Renderer::State {
     const gl::Target* glow = nullptr;  ///< of this frame, or null
     const gl::Texture* sideOfPixels = nullptr; ///< of a frame that shows both sides of the surface, or null
     const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
+    const gl::Target* beside = nullptr; ///< both eyes' displayed halves, or null for one eye
+    const gl::Target* anaglyph = nullptr; ///< made of them, or null
+    bool hasCaustics = false; ///< this frame's caustics are drawn; they are the same for both eyes
 
-    // Of this frame.
+    // Of this frame, or of the eye that is being drawn.
     ivec2 drawnSize{1};      ///< of the frame, pixels: the picture's or a multiple of it
     View main, refractionView, reflectionView;
     View refractionViewBelow, reflectionViewBelow;
@@ -139,8 +152,11 @@ struct Renderer::State {
     PaintStyle lit; ///< what of the sun's light the passes look up
 
     void takeOptions(const Options& wanted, const WaterBody& body);
-    void beginFrame(const FrameInput& input);
-    void beginSunlight(const FrameInput& input);
+    void drawEye(const FrameInput& input, const Camera& head);
+    void drawBothEyes(const FrameInput& input);
+    const gl::Target& displayed() const { return anaglyph ? *anaglyph : beside ? *beside : presentPass.target(); }
+    void beginEye(const FrameInput& input, const Camera& head);
+    void beginSunlight(const Camera& head);
     void drawTargets();
     void drawSunlight();
     SunMaps sunMaps(const gl::Texture* causticsMap) const;
@@ -221,20 +237,45 @@ const FrameStats& Renderer::render(const FrameInput& input)
         throw Error("a picture of {}x{} pixels cannot be rendered", input.size.x, input.size.y);
     State& s = *state_;
     s.profiler.beginFrame();
-    s.beginFrame(input);
-    if (!input.sameMoment) s.drawTargets();
-    s.drawScene(input);
-    if (s.stats.plan[PassId::water].wanted) s.drawWater(input);
-    if (s.stats.plan[PassId::glow].wanted) s.drawGlow(input);
-    s.present(input);
+    s.stats.passes.clear();
+    s.bad.clear();
+    s.beside = s.anaglyph = nullptr;
+    s.hasCaustics = false;
+    if (s.options.stereo.isOn()) s.drawBothEyes(input);
+    else s.drawEye(input, input.camera);
     s.profiler.endFrame();
     return s.stats;
 }
 
-void Renderer::State::beginFrame(const FrameInput& input)
+/// @param head what does not depend on the eye is drawn for this camera
+void Renderer::State::drawEye(const FrameInput& input, const Camera& head)
 {
-    stats = FrameStats{planFrame(scene, water, input.camera, options, input.size, input.time), {}};
-    bad.clear();
+    beginEye(input, head);
+    if (!input.sameMoment) drawTargets();
+    drawScene(input);
+    if (stats.plan[PassId::water].wanted) drawWater(input);
+    if (stats.plan[PassId::glow].wanted) drawGlow(input);
+    present(input);
+}
+
+void Renderer::State::drawBothEyes(const FrameInput& input)
+{
+    for (const Eye eye : bothEyes) {
+        const Camera camera = eyeCamera(input.camera, options.stereo, eye);
+        drawEye({camera, input.time, input.size, input.view}, input.camera);
+        gl::PassScope scope(profiler, passName(PassId::present));
+        stereo.take(eye, *shown, presentPass.target());
+    }
+    shown = &stereo.linear();
+    beside = &stereo.display();
+    if (options.stereo.output != StereoOptions::Output::anaglyph) return;
+    gl::PassScope scope(profiler, passName(PassId::present));
+    anaglyph = &stereo.drawAnaglyph();
+}
+
+void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
+{
+    stats.plan = planFrame(scene, water, input.camera, options, input.size, input.time);
     glow = nullptr;
     sideOfPixels = nullptr;
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
@@ -252,13 +293,13 @@ void Renderer::State::beginFrame(const FrameInput& input)
     frameBlock.update(light);
     wavesBlock.update(tarn::wavesBlock(water, input.time));
     painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
-    beginSunlight(input);
+    beginSunlight(head);
 }
 
-void Renderer::State::beginSunlight(const FrameInput& input)
+void Renderer::State::beginSunlight(const Camera& head)
 {
     volume = sunVolume(water, bounds, light.sunDirection, options.sunlight);
-    region = causticsRegion(water, input.camera, options.caustics);
+    region = causticsRegion(water, head, options.caustics);
     sunBlock.update(tarn::sunBlock(volume, region, options));
     lit = PaintStyle{};
     lit.dithersCutOuts = ditherCutOuts(options.frame);
@@ -270,7 +311,7 @@ void Renderer::State::beginSunlight(const FrameInput& input)
 void Renderer::State::drawSunlight()
 {
     gl::PassScope scope(profiler, passName(PassId::sunlight));
-    FrameStats::Pass& pass = stats.passes.emplace_back(FrameStats::Pass{passName(PassId::sunlight), 0, 0});
+    FrameStats::Pass& pass = stats.of(passName(PassId::sunlight));
     const SunlightPass::Inputs inputs{volume,      light.sunDirection, light.sunDirectionBelow,
                                       water.level, lit.dithersCutOuts, light.hasWater > 0.5f};
     if (sunlight.isStale(inputs, options.sunlight)) {
@@ -309,7 +350,7 @@ bool movesSideways(const WaterBody& water, const vec3& toSun, float cellEdge)
 void Renderer::State::drawCaustics()
 {
     gl::PassScope scope(profiler, passName(PassId::caustics));
-    FrameStats::Pass& pass = stats.passes.emplace_back(FrameStats::Pass{passName(PassId::caustics), 0, 0});
+    FrameStats::Pass& pass = stats.of(passName(PassId::caustics));
     const float cell = 2.0f * region.rect.halfExtent.x / static_cast<float>(options.caustics.photons);
     const gl::Texture& afloat = sunlight.depth(SunLayer::afloat);
     const gl::Texture& submerged = sunlight.depth(SunLayer::submerged);
@@ -320,14 +361,14 @@ void Renderer::State::drawCaustics()
                            .absorption = water.absorption,
                            .surfaceMovesSideways = movesSideways(water, light.sunDirection, cell)},
                           pass);
-    painter.setSunMaps(sunMaps(&caustics.colour()));
+    hasCaustics = true;
     check(PassId::caustics, caustics);
 }
 
 FrameStats::Pass& Renderer::State::beginPass(PassId pass, const View& view, ivec2 size)
 {
     viewBlock.update(tarn::viewBlock(view, size));
-    return stats.passes.emplace_back(FrameStats::Pass{passName(pass), 0, 0});
+    return stats.of(passName(pass));
 }
 
 void Renderer::State::check(PassId pass, const gl::Target& target)
@@ -340,7 +381,10 @@ void Renderer::State::check(PassId pass, const gl::Target& target)
 void Renderer::State::drawTargets()
 {
     if (stats.plan[PassId::sunlight].wanted) drawSunlight();
-    if (stats.plan[PassId::caustics].wanted) drawCaustics();
+    if (stats.plan[PassId::caustics].wanted) {
+        if (!hasCaustics) drawCaustics();
+        painter.setSunMaps(sunMaps(&causticsPass.target().colour()));
+    }
     if (stats.plan[PassId::refraction].wanted) drawRefraction();
     if (stats.plan[PassId::reflection].wanted) drawReflection();
 }
@@ -488,56 +532,20 @@ void Renderer::State::present(const FrameInput& input)
 void Renderer::presentToWindow(ivec2 windowSize) const
 {
     const gl::Framebuffer window = gl::Framebuffer::window(windowSize);
-    state_->presentPass.target().framebuffer().blitTo(window, {.filter = gl::Filter::linear});
+    state_->displayed().framebuffer().blitTo(window, {.filter = gl::Filter::linear});
     window.bind();
 }
 
-namespace {
-
-/// OpenGL's first row is the lowest; a picture's is the highest. Keeps the first `channels` of four.
-template <typename T> std::vector<T> topDown(const std::vector<T>& rgba, ivec2 size, int channels)
-{
-    std::vector<T> result;
-    result.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                   static_cast<std::size_t>(channels));
-    for (int y = size.y - 1; y >= 0; --y) {
-        for (int x = 0; x < size.x; ++x) {
-            const std::size_t pixel = (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                                       static_cast<std::size_t>(x)) *
-                                      4;
-            for (int c = 0; c < channels; ++c) result.push_back(rgba[pixel + static_cast<std::size_t>(c)]);
-        }
-    }
-    return result;
-}
-
-Image emptyImage(const char* name, ivec2 size, int channels)
-{
-    Image image;
-    image.name = name;
-    image.width = size.x;
-    image.height = size.y;
-    image.channels = channels;
-    return image;
-}
-
-} // namespace
-
-Image Renderer::readDisplay() const
-{
-    const gl::Framebuffer& display = state_->presentPass.target().framebuffer();
-    Image image = emptyImage("frame", display.size(), 3);
-    image.bytes = topDown(display.readBytes(), display.size(), 3);
-    return image;
-}
+Image Renderer::readDisplay() const { return readBytes(state_->displayed().framebuffer()); }
 
 Image Renderer::readLinear() const
 {
-    if (!state_->shown) throw Error("no frame has been rendered yet");
-    const gl::Framebuffer& linear = state_->shown->framebuffer();
-    Image image = emptyImage("frame", linear.size(), 4);
-    image.floats = topDown(linear.readFloats(), linear.size(), 4);
-    return image;
+    const State& s = *state_;
+    if (!s.shown) throw Error("no frame has been rendered yet");
+    if (s.anaglyph)
+        throw Error("an anaglyph is made of what a display shows and has no radiance; stereo.output = side_by_side or "
+                    "pair has");
+    return readFloats(s.shown->framebuffer());
 }
 
 const View& Renderer::refractionView() const { return state_->refractionView; }

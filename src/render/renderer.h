@@ -30,25 +30,28 @@ class Profiler;
 std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary();
 
 struct FrameInput {
-    const Camera& camera;
+    const Camera& camera;  ///< with stereo.output, between the eyes
     double time = 0.0;     ///< seconds
-    ivec2 size{640, 480};  ///< of the picture, pixels; both at least 1
+    ivec2 size{640, 480};  ///< of the picture, or of one eye's, pixels; both at least 1
     DebugView view = DebugView::final;
     /// Scene, water body, camera, time, size and options are those of the last frame: what that drew for the water to
-    /// look up stays, and only the picture is drawn anew. For several debug views of one moment.
+    /// look up stays, and only the picture is drawn anew. For several debug views of one moment. Of no effect in stereo,
+    /// where what is looked up is the other eye's.
     bool sameMoment = false;
 };
 
 /// What a frame did. Valid until the next one.
 struct FrameStats {
-    FramePlan plan;
+    FramePlan plan; ///< in stereo the right eye's
     struct Pass {
         std::string name;
         std::size_t triangles = 0;
         std::size_t drawCalls = 0;
     };
-    std::vector<Pass> passes;
+    std::vector<Pass> passes; ///< in the order they began; both eyes' added up
     std::size_t triangles() const;
+    /// The pass of a name, added where there is none.
+    Pass& of(const std::string& name);
 };
 
 /// Values that no target may hold.
@@ -91,14 +94,17 @@ public:
     /// Copies the last frame's picture to the default framebuffer of the window.
     void presentToWindow(ivec2 windowSize) const;
 
-    /// The last frame as it is shown: 8-bit sRGB, three channels.
+    /// The last frame as it is shown: 8-bit sRGB, three channels. In stereo an anaglyph, or the left eye's picture on the
+    /// left of the right one's.
     Image readDisplay() const;
 
     /// The last frame's linear radiance, or the debug view's raw values: four floats a pixel (debug views of the
-    /// water: alpha is 1 where the water is).
+    /// water: alpha is 1 where the water is); in stereo the left eye's on the left. Throws Error for an anaglyph, which
+    /// is made of what a display shows.
     Image readLinear() const;
 
-    /// The camera of the last frame's refraction target (of its air's side, when it shows both), world space.
+    /// The camera of the last frame's refraction target (of its air's side, when it shows both; of the right eye, when it
+    /// shows two), world space.
     const View& refractionView() const;
 
     /// The last frame's caustics texture as it is; nothing when the frame had none. Waits for the GPU.

@@ -29,7 +29,7 @@ vec4 keepAbove(float height) { return {0.0f, 1.0f, 0.0f, -height}; }
 /// whole horizon.
 float extensionThroughSurface(const View& view, float ior, float least, float most)
 {
-    const vec2 tangents(1.0f / view.clipFromView[0][0], 1.0f / view.clipFromView[1][1]);
+    const ViewTangents tangents(view.clipFromView);
     const mat3 worldFromView = glm::transpose(mat3(view.viewFromWorld));
     constexpr int across = 16;
     constexpr float forWaves = 1.1f; // their slopes turn rays a little further
@@ -37,12 +37,13 @@ float extensionThroughSurface(const View& view, float ior, float least, float mo
     for (int j = 0; j <= across; ++j) {
         for (int i = 0; i <= across; ++i) {
             const vec2 at(2.0f * static_cast<float>(i) / across - 1.0f, 2.0f * static_cast<float>(j) / across - 1.0f);
-            const vec3 direction = normalize(worldFromView * vec3(at * tangents, -1.0f));
+            const vec3 direction = normalize(worldFromView * vec3(at * tangents.half + tangents.middle, -1.0f));
             if (direction.y <= 0.0f) continue;
             const vec3 bent = optics::refractRay(direction, vec3(0.0f, -1.0f, 0.0f), ior);
             if (bent == vec3(0.0f)) continue; // mirrored
             const vec3 ray = mat3(view.viewFromWorld) * bent;
-            const vec2 needed = glm::abs(vec2(ray)) / (std::max(-ray.z, 1.0e-3f) * tangents);
+            const float far = std::max(-ray.z, 1.0e-3f);
+            const vec2 needed = glm::abs(vec2(ray) - far * tangents.middle) / (far * tangents.half);
             extension = std::max(extension, forWaves * std::max(needed.x, needed.y));
         }
     }
@@ -77,6 +78,7 @@ View refractionView(const Camera& camera, float aspect, const WaterBody& water, 
     constexpr float leastHeight = 0.02f;
     if (options.camera == RefractionOptions::CameraMode::flat && camera.eye.y > water.level + leastHeight)
         view.flatWater = water.level;
+    // A sheared frustum is turned with its camera, by the angle of the ray below the axis.
     if (options.camera == RefractionOptions::CameraMode::snell) {
         const optics::RefractionCamera turned =
             optics::refractionCamera(camera.eye, normalize(camera.target - camera.eye), camera.up,

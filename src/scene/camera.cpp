@@ -20,8 +20,25 @@ mat4 viewFromWorld(const Camera& camera)
 mat4 clipFromView(const Camera& camera, float aspect, float extension)
 {
     const float top = camera.nearPlane * std::tan(0.5f * camera.verticalFov) * extension;
-    const float right = top * aspect;
-    return glm::frustumRH_NO(-right, right, -top, top, camera.nearPlane, camera.farPlane);
+    const float right = top * aspect, middle = camera.nearPlane * camera.lensShift;
+    return glm::frustumRH_NO(middle - right, middle + right, -top, top, camera.nearPlane, camera.farPlane);
+}
+
+ViewTangents::ViewTangents(const mat4& clipFromView)
+    : half(1.0f / clipFromView[0][0], 1.0f / clipFromView[1][1]),
+      middle(clipFromView[2][0] / clipFromView[0][0], clipFromView[2][1] / clipFromView[1][1])
+{
+}
+
+Camera movedAside(const Camera& camera, float offset, float convergence)
+{
+    const mat4 view = viewFromWorld(camera);
+    const vec3 right(view[0][0], view[1][0], view[2][0]);
+    Camera moved = camera;
+    moved.eye += offset * right;
+    moved.target += offset * right;
+    moved.lensShift -= offset / convergence;
+    return moved;
 }
 
 // Gribb & Hartmann 2001: the planes are sums and differences of the matrix' rows.

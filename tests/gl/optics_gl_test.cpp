@@ -73,7 +73,8 @@ protected:
     {
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
-             {"blocks", "refraction", "fresnel_table", "depth", "waves", "normal_map", "intersection", "reflection", "lighting", "tonemap", "sunlight"}) {
+             {"blocks", "refraction", "fresnel_table", "depth", "waves", "normal_map", "intersection", "reflection", "lighting",
+              "tonemap", "anaglyph", "sunlight"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
             includes_ += "#include \"" + name + "\"\n";
@@ -320,6 +321,8 @@ TEST_F(OpticsGl, ToneCurves)
          [](const Inputs& i) { return wide(toneAces(glm::exp2(30.0f * xyz(i.a)))); }},
         {"srgbColour", "vec4(srgbColour(a.xyz), srgbFromLinear(0.01 * a.w))",
          [](const Inputs& i) { return wide(srgbColour(xyz(i.a)), srgbFromLinear(0.01f * i.a.w)); }},
+        {"anaglyphRedCyan", "vec4(anaglyphRedCyan(a.xyz, b.xyz), 0.0)",
+         [](const Inputs& i) { return wide(anaglyphRedCyan(xyz(i.a), xyz(i.b))); }},
         {"linearColour", "vec4(linearColour(a.xyz), linearFromSrgb(0.1 * a.w))",
          [](const Inputs& i) { return wide(linearColour(xyz(i.a)), linearFromSrgb(0.1f * i.a.w)); }},
     });

@@ -10,7 +10,7 @@ pool=$project/tests/image/scenes/checkered_bed.toml
 test_help() {
     call 0 --help
     local command
-    for command in view render reference compare bench trade tune budget explain options info; do
+    for command in view render reference compare disparity bench trade tune budget explain options info; do
         grep -qw "$command" "$work/stdout" || fail "--help does not name $command"
     done
     call 0 render --help
@@ -55,6 +55,10 @@ test_wrong_usage() {
     refuse 2 'abvoe.*above' tune "$pool" --max-error 0.1 --camera abvoe
     refuse 2 'samples' budget "$pool" --samples 0
     refuse 2 'abvoe.*above' budget "$pool" --camera abvoe
+    refuse 2 'reference.*stereo.output=pair' disparity "$pool"
+    refuse 2 'of colour.*refraction, reflection' disparity "$pool" --reference a.exr --of colour
+    refuse 2 'stereo\.output.*side_by_side' render "$pool" --set stereo.output=beside --out a.png
+    refuse 2 'sweep stereo' trade "$pool" --out a --sweep stereo.output=off,pair
     refuse 2 'hihg.*high' render "$pool" --preset hihg --out a.png
     refuse 2 'png' render "$pool" --out a.bmp
     refuse 2 'png' render "$pool" --out picture
@@ -83,6 +87,38 @@ test_error_map() {
     refuse 1 'size 8x8.*40x30' render "$pool" --error path --reference "$truth" --size 8x8 --out a.png
     refuse 1 'map\.exr' render "$pool" --error path --reference "$work/map.exr" --out a.png
     refuse 1 'nowhere\.exr' render "$pool" --error path --reference nowhere.exr --out a.png
+}
+
+# Two eyes: one picture twice as wide, one anaglyph, or two files; the reference's pair, and the disparity between both.
+test_stereo() {
+    local beside=(--set stereo.output=side_by_side) pair=(--set stereo.output=pair)
+    call 0 render "$pool" --size 40x30 "${beside[@]}" --out a.png
+    [[ $(od -An -tx1 -j16 -N8 a.png | tr -d ' \n') == 000000500000001e ]] || fail "both eyes beside each other are not 80x30"
+    call 0 render "$pool" --size 40x30 --set stereo.output=anaglyph --view normals --out b.png
+    [[ $(od -An -tx1 -j16 -N8 b.png | tr -d ' \n') == 000000280000001e ]] || fail "the anaglyph is not 40x30"
+    call 0 render "$pool" --size 40x30 --frames 2 "${pair[@]}" --out 'c_%d.png'
+    [[ $(grep -c '' "$work/stdout") == 4 ]] || fail "not one line for each of two eyes at two times"
+    call 0 render "$pool" --size 40x30 "${pair[@]}" --check --json d.json --out d.exr
+    grep -q '"d-right.exr"' d.json || fail "the JSON does not name the right eye's file"
+    only_in_out a.png b.png c_0-left.png c_0-right.png c_1-left.png c_1-right.png d-left.exr d-right.exr d.json
+    ! cmp -s c_0-left.png c_0-right.png || fail "both eyes see the same"
+    refuse 1 'a\.exr.*anaglyph.*pair' render "$pool" --size 40x30 --set stereo.output=anaglyph --out a.exr
+
+    local truth=$work/truth.exr few=(--size 40x30 --samples 1 --photons 10000)
+    refuse 1 'truth\.exr.*one eye.*pair' reference "$pool" "${few[@]}" "${beside[@]}" --out "$truth"
+    call 0 reference "$pool" "${few[@]}" "${pair[@]}" --out "$truth"
+    [[ -s $work/truth-left.exr && -s $work/truth-right.exr && ! -e $truth ]] || fail "not one reference for each eye"
+    call 0 disparity "$pool" --reference "$truth" --out "$work/map.png" --json "$work/e.json"
+    grep -Eq 'median +[0-9.e-]+ px' "$work/stdout" || fail "the disparity error is not printed"
+    grep -q '"reflection"' "$work/e.json" || fail "the JSON does not tell of what is mirrored"
+    [[ -s $work/map.png ]] || fail "there is no map"
+    call 0 render "$pool" --error refraction --reference "$work/truth-right.exr" --out "$work/map.png"
+    [[ ! -s $work/stderr ]] || fail "the right eye's reference is not taken as it is"
+    refuse 1 'stereo.output.*reference' disparity "$pool" "${pair[@]}" --reference "$truth"
+    refuse 1 'one eye' render "$pool" "${beside[@]}" --error refraction --reference "$work/truth-left.exr" --out a.png
+    refuse 1 'one eye' budget "$pool" "${pair[@]}"
+    cp "$work/truth-left.exr" "$work/truth-right.exr"
+    refuse 1 'truth-right.*not the right eye' disparity "$pool" --reference "$truth"
 }
 
 test_unknown_camera() {

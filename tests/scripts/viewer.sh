@@ -66,8 +66,19 @@ test_viewer() {
     "$osmesa" render "$scene" --camera shore --size 640x480 --time 0 --out "$work/reference.png" >/dev/null
     "$compare" "$work/reference.png" "$photo" || fail "the screenshot is not like the headless picture"
 
+    # Two eyes share the window: each sees what tarn-osmesa draws for it in half of the width.
+    rm "$photo"
+    press o
+    sleep 0.5
+    press F12
+    until_true "the screenshot of both eyes" picture_there
+    "$osmesa" render "$scene" --camera shore --size 320x480 --time 0 --set stereo.output=side_by_side \
+        --out "$work/both.png" >/dev/null
+    "$compare" "$work/both.png" "$photo" || fail "the screenshot of both eyes is not like the headless picture"
+    press o o
+
     # Everything the help names, twice where it switches something.
-    press c c u u g g r r f f p p v v v v v v v v v v v v v b bracketleft bracketright h h Tab Tab 1 2 3 9 w a s d Up Down Left Right shift q e
+    press c c u u g g r r f f p p v v v v v v v v v v v v v o o o b bracketleft bracketright h h Tab Tab 1 2 3 9 w a s d Up Down Left Right shift q e
     xdotool mousemove --window "$window" 200 200 mousedown 1 mousemove_relative 40 10 mouseup 1 click 4 click 5
     local size
     for size in "800 300" "200 700" "640 480"; do

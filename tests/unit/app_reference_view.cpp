@@ -45,6 +45,18 @@ std::string complaint(const reference::Picture& picture)
     return "";
 }
 
+TEST(ReferenceView, AnEyesShearedFrustumComesBackToo)
+{
+    const Stage stage = lake();
+    Camera eye = crooked();
+    eye.lensShift = 0.0123f;
+    reference::Picture picture(ivec2(2, 2));
+    picture.metadata = pictureHeader(stage, eye, 0.0);
+    EXPECT_EQ(referenceView(picture, stage.scene, "truth.exr").camera.lensShift, eye.lensShift);
+    EXPECT_FALSE(isSameView(eye, crooked()));
+    EXPECT_EQ(pictureHeader(stage, crooked(), 0.0).at("tarn:camera").find("lens"), std::string::npos);
+}
+
 TEST(ReferenceView, ComesBackFromTheHeader)
 {
     const Stage stage = lake();

@@ -6,6 +6,7 @@
 #include "app/viewer/input_map.h"
 #include "app/viewer/scene_clock.h"
 #include "app/viewer/screenshot.h"
+#include "app/viewer/stereo_view.h"
 #include "base/files.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +39,7 @@ TEST(InputMap, KeysDoWhatTheManualSays)
     EXPECT_EQ(actionOf(keyOf('F')), Action::refraction);
     EXPECT_EQ(actionOf(keyOf('P')), Action::pause);
     EXPECT_EQ(actionOf(keyOf('V')), Action::nextView);
+    EXPECT_EQ(actionOf(keyOf('O')), Action::stereo);
     EXPECT_EQ(actionOf(keyOf('B')), Action::compare);
     EXPECT_EQ(actionOf(keyOf('[')), Action::sliderLeft);
     EXPECT_EQ(actionOf(keyOf(']')), Action::sliderRight);
@@ -64,8 +66,23 @@ TEST(InputMap, HelpTellsOfEveryKey)
     for (const HelpLine& line : helpLines())
         text += line.keys + ": " + line.what + "\n";
     for (const char* key : {"W", "A", "S", "D", "Q", "E", "Up",  "Left", "Shift", "C",     "U",
-                            "G", "R", "F", "P", "V", "B", "[", "]", "H", "Tab", "F12",  "Esc",   "wheel", "left button"})
+                            "G", "R", "F", "P", "V", "O:", "B", "[", "]", "H", "Tab", "F12",  "Esc",   "wheel", "left button"})
         EXPECT_NE(text.find(key), std::string::npos) << key;
+}
+
+TEST(StereoView, OGoesRoundAndSaysWhere)
+{
+    StereoOptions options;
+    EXPECT_EQ(stereoText(options), "");
+    options.output = nextStereo(options.output);
+    EXPECT_EQ(options.output, StereoOptions::Output::sideBySide);
+    EXPECT_EQ(stereoText(options), "stereo: side by side, eyes 0.065 m apart, converging at 5 m");
+    options.output = nextStereo(options.output);
+    EXPECT_EQ(options.output, StereoOptions::Output::anaglyph);
+    options.convergence = 12.5f;
+    EXPECT_EQ(stereoText(options), "stereo: anaglyph, eyes 0.065 m apart, converging at 12.5 m");
+    EXPECT_EQ(nextStereo(options.output), StereoOptions::Output::off);
+    EXPECT_EQ(nextStereo(StereoOptions::Output::pair), StereoOptions::Output::anaglyph);
 }
 
 TEST(HeldKeys, AddUpAndCancelOut)

@@ -86,6 +86,22 @@ TEST(ToneCurve, KnownValues)
     EXPECT_NEAR(optics64::toneAces(glm::dvec3(1.0)).x, 2.54 / 3.16, 1e-15);
 }
 
+TEST(Anaglyph, EachFilterPassesItsEyesPicture)
+{
+    using optics64::anaglyphRedCyan;
+    using glm::dvec3;
+    for (const double grey : {0.0, 0.2, 1.0})
+        EXPECT_LT(glm::distance(anaglyphRedCyan(dvec3(grey), dvec3(grey)), dvec3(grey)), 1e-4) << "equal grey stays";
+    // Through the red filter the left eye's light alone is seen, through the cyan one the right eye's.
+    const dvec3 onlyLeft = anaglyphRedCyan(dvec3(1.0), dvec3(0.0)), onlyRight = anaglyphRedCyan(dvec3(0.0), dvec3(1.0));
+    EXPECT_GT(onlyLeft.x, 0.99);
+    EXPECT_EQ(glm::dvec2(onlyLeft.y, onlyLeft.z), glm::dvec2(0.0)) << "less than black is cut off";
+    EXPECT_EQ(onlyRight.x, 0.0);
+    EXPECT_GT(std::min(onlyRight.y, onlyRight.z), 0.99);
+    // A red that the cyan filter cannot pass is dim, not black, to the right eye: least squares spreads what is lost.
+    EXPECT_NEAR(anaglyphRedCyan(dvec3(0.0), dvec3(1.0, 0.0, 0.0)).y, 0.378476, 1e-9);
+}
+
 TEST(Srgb, RoundTripsAndMatchesTheStandard)
 {
     for (int i = 0; i <= 1000; ++i) {

@@ -46,6 +46,33 @@ std::vector<optics64::WaveTerm> termsOf(const Scene& scene)
     return terms;
 }
 
+// An oblique frustum's pixels see what the passes' matrices put there.
+TEST(ReferenceQuantities, AShiftedLensSeesWhatItsMatrixShows)
+{
+    Scene scene = test::flatLake(2.0f);
+    addWaves(scene);
+    Camera camera = cameraAt({0.0f, 3.0f, 0.0f}, {0.0f, 0.0f, -4.0f});
+    camera.lensShift = 0.3f;
+    const ivec2 size(64, 48);
+    const Picture picture = quantitiesOf(scene, camera, size);
+    const glm::dmat4 clipFromWorld =
+        glm::dmat4(clipFromView(camera, 64.0f / 48.0f)) * glm::dmat4(viewFromWorld(camera));
+    std::size_t checked = 0;
+    for (std::size_t i = 0; i < picture.pixels(); ++i) {
+        if (!picture.has(i, Event::meetsWater)) continue;
+        const glm::dvec4 clip = clipFromWorld * glm::dvec4(dvec3(picture.surface[i]), 1.0);
+        ASSERT_NEAR(0.5 * (clip.x / clip.w + 1.0) * size.x, static_cast<double>(i % 64) + 0.5, 1e-3) << i;
+        ASSERT_NEAR(0.5 * (1.0 - clip.y / clip.w) * size.y, static_cast<double>(i / 64) + 0.5, 1e-3) << i;
+        ++checked;
+    }
+    EXPECT_GT(checked, picture.pixels() / 2);
+    const Tracer tracer(scene, scene.water);
+    Camera unshifted = camera;
+    unshifted.lensShift = 0.0f;
+    const auto identity = [&](const Camera& c) { return tracer.identity({.camera = c, .approximations = {}}, {}); };
+    EXPECT_NE(identity(camera), identity(unshifted));
+}
+
 TEST(ReferenceQuantities, FlatWaterShowsTheBedWhereSnellPutsIt)
 {
     const double depth = 2.0, height = 3.0;

@@ -53,6 +53,24 @@ TEST(Camera, FieldOfViewAndExtension)
     EXPECT_NEAR(project(clipFromView(camera, 1.0f), {0.0f, 0.0f, -100.0f}).z, 1.0f, 1e-4f);
 }
 
+TEST(Camera, AShiftedLensLooksBesideItsAxis)
+{
+    Camera camera;
+    camera.verticalFov = pi / 2.0f;
+    camera.lensShift = 0.5f;
+    for (const float extension : {1.0f, 1.5f}) {
+        const mat4 clip = clipFromView(camera, 2.0f, extension);
+        EXPECT_NEAR(project(clip, {1.5f, -0.3f, -3.0f}).x, 0.0f, 1e-6f) << "the middle";
+        EXPECT_NEAR(project(clip, {0.5f + 2.0f * extension, 0.0f, -1.0f}).x, 1.0f, 1e-6f) << "the right edge";
+        EXPECT_NEAR(project(clip, {0.5f - 2.0f * extension, 0.0f, -1.0f}).x, -1.0f, 1e-6f) << "the left edge";
+        const ViewTangents tangents(clip);
+        EXPECT_NEAR(tangents.middle.x, 0.5f, 1e-6f);
+        EXPECT_NEAR(tangents.middle.y, 0.0f, 1e-6f);
+        EXPECT_NEAR(tangents.half.x, 2.0f * extension, 1e-6f);
+        EXPECT_NEAR(tangents.half.y, extension, 1e-6f);
+    }
+}
+
 TEST(Frustum, KeepsWhatIsInsideAndDropsWhatIsOut)
 {
     Camera camera;

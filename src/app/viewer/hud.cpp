@@ -33,6 +33,7 @@ void drawFigures(const HudState& state)
                      state.underwater ? " (under water)" : "", state.camera.speed()));
     text(fmt::format("t = {:.2f} s{}", state.time, state.paused ? " (paused)" : ""));
     if (state.view != "final") text("view: " + state.view);
+    if (!state.stereo.empty()) text(state.stereo);
     if (!state.comparison.empty()) text(state.comparison);
     text("H: help");
 }

@@ -20,6 +20,7 @@ struct HudState {
     bool paused = false;
     bool underwater = false;
     std::size_t triangles = 0;
+    std::string stereo;      ///< how both eyes' pictures are shown, or ""
     std::string comparison;  ///< with a reference, or ""
     std::string message;     ///< for a few seconds, or ""
     std::string shaderError; ///< "file:line: message", or ""

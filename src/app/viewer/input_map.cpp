@@ -35,6 +35,7 @@ const std::vector<Binding>& bindings()
         {Action::refraction, {keyOf('F')}, "F", "refraction on or off"},
         {Action::pause, {keyOf('P')}, "P", "stop the waves, or let them go on"},
         {Action::nextView, {keyOf('V')}, "V", "next intermediate picture"},
+        {Action::stereo, {keyOf('O')}, "O", "for two eyes: side by side, red-cyan glasses, off"},
         {Action::compare, {keyOf('B')}, "B", "with --reference: beside it, its errors, off; or back to its view"},
         {Action::sliderLeft, {keyOf('[')}, "[", "move the line before the reference to the left"},
         {Action::sliderRight, {keyOf(']')}, "]", "move it to the right"},

@@ -36,6 +36,7 @@ enum class Action {
     refraction,
     pause,
     nextView,
+    stereo,
     compare,
     sliderLeft,
     sliderRight,

@@ -7,9 +7,11 @@
 #include "app/viewer/loading.h"
 #include "app/viewer/panel.h"
 #include "app/viewer/screenshot.h"
+#include "app/viewer/stereo_view.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "gl/framebuffer.h"
+#include "plan/stereo.h"
 
 #include <GLFW/glfw3.h>
 
@@ -185,11 +187,12 @@ void Viewer::frame()
 
     const ivec2 size = window_.framebufferSize();
     if (size.x < 1 || size.y < 1) return;
-    if (comparison_) {
+    if (compares()) {
         comparison_->state().look(camera_.camera(), clock_.time());
         comparison_->update(*renderer_, stage_.settings);
     }
-    const FrameStats& stats = renderer_->render({camera_.camera(), clock_.time(), size, view_});
+    const ivec2 pictureSize = eyeSizeFor(size, stage_.settings.options.stereo.output);
+    const FrameStats& stats = renderer_->render({camera_.camera(), clock_.time(), pictureSize, view_});
     if (screenshotWanted_) takeScreenshot();
     renderer_->presentToWindow(size);
     measure(seconds);
@@ -243,11 +246,15 @@ void Viewer::obey(const KeyCommand& command)
     case Action::nextView:
         view_ = static_cast<DebugView>((static_cast<int>(view_) + 1) % debugViewCount);
         return say(fmt::format("view: {}", debugViewNames[static_cast<std::size_t>(view_)]));
+    case Action::stereo:
+        options.stereo.output = nextStereo(options.stereo.output);
+        renderer_->setOptions(options, stage_.settings.water);
+        return say(options.stereo.isOn() ? stereoText(options.stereo) : "stereo off");
     case Action::compare:
         return compareNext();
     case Action::sliderLeft:
     case Action::sliderRight:
-        if (comparison_) comparison_->state().moveSlider(command.action == Action::sliderRight ? 1 : -1);
+        if (compares()) comparison_->state().moveSlider(command.action == Action::sliderRight ? 1 : -1);
         return;
     case Action::help:
         return toggle(helpOpen_);
@@ -278,6 +285,7 @@ void Viewer::jumpToCamera(int index)
 void Viewer::compareNext()
 {
     if (!comparison_) return say("nothing to compare with; start with --reference FILE");
+    if (!compares()) return say("the reference is one eye's picture; O until stereo is off");
     ComparisonState& state = comparison_->state();
     state.look(camera_.camera(), clock_.time()); // of now, not of the last frame
     if (!state.next()) return;
@@ -288,7 +296,7 @@ void Viewer::compareNext()
 
 void Viewer::drawWidgets(const FrameStats& stats)
 {
-    if (comparison_) comparison_->drawOverlay(widgets_.scale());
+    if (compares()) comparison_->drawOverlay(widgets_.scale());
     const double now = lastFrame_;
     const HudState hud{.rate = rate_,
                        .camera = camera_,
@@ -298,14 +306,15 @@ void Viewer::drawWidgets(const FrameStats& stats)
                        .paused = clock_.paused(),
                        .underwater = stats.plan.underwater,
                        .triangles = stats.triangles(),
-                       .comparison = comparison_ ? comparison_->note() : "",
+                       .stereo = stereoText(stage_.settings.options.stereo),
+                       .comparison = compares() ? comparison_->note() : "",
                        .message = now < messageUntil_ ? message_ : "",
                        .shaderError = shaders_->lastError()};
     drawHud(hud, widgets_.scale());
     if (helpOpen_) drawHelp(widgets_.scale(), helpOpen_);
     if (panelOpen_) {
         std::function<void()> choice;
-        if (comparison_) choice = [this] { comparison_->drawChoice(); };
+        if (compares()) choice = [this] { comparison_->drawChoice(); };
         const PanelResult result = drawPanel(fieldTree(stage_.settings), widgets_.scale(), panelOpen_, choice);
         if (result.reset) stage_.settings = startSettings_;
         if (result.reset || result.changed)

@@ -40,6 +40,8 @@ private:
     void takeInput(double seconds);
     void obey(const KeyCommand& command);
     void jumpToCamera(int index);
+    /// A reference is there, and one eye's picture to hold against it.
+    bool compares() const { return comparison_ && !stage_.settings.options.stereo.isOn(); }
     void compareNext();
     void drawWidgets(const FrameStats& stats);
     void takeScreenshot();

@@ -13,8 +13,10 @@ const gl::Texture& WaterlinePass::draw(const View& view, ivec2 size)
     program_->use();
     // Not by worldFromClip: near the eye a float inverse of it is wrong by more than a pixel.
     const mat4 worldFromView = glm::inverse(view.viewFromWorld);
+    const ViewTangents tangents(view.clipFromView);
     const vec2 half = view.nearPlane / vec2(view.clipFromView[0][0], view.clipFromView[1][1]);
-    program_->set("nearCorner", vec3(worldFromView * vec4(-half.x, -half.y, -view.nearPlane, 1.0f)));
+    const vec2 corner = view.nearPlane * tangents.middle - half;
+    program_->set("nearCorner", vec3(worldFromView * vec4(corner, -view.nearPlane, 1.0f)));
     program_->set("nearAcross", 2.0f * half.x * vec3(worldFromView[0]));
     program_->set("nearUp", 2.0f * half.y * vec3(worldFromView[1]));
     triangle_.draw();
