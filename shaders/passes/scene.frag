@@ -4,6 +4,7 @@
 // absorbed on their way down. UNDERWATER: the eye is in the water too, so what lies between is water (eq. 10).
 // IN_AIR, IN_WATER: all of what is drawn is on that side of the level, and pays for that side's light alone.
 // WATERLINE: the surface cuts the near plane, and that holds for the pixels under it.
+// FOR_MAP: what a map of the scene from above keeps: all but the sun's light under water, which is looked up later.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/lighting.glsl"
@@ -13,9 +14,7 @@
 #ifdef SHADOWS
 #include "passes/sun_maps.glsl"
 #endif
-#ifdef CAUSTICS
-uniform sampler2D causticsMap;
-#endif
+#include "passes/sun_underwater.glsl"
 
 in vec3 positionW;
 in vec3 normalW;
@@ -60,6 +59,10 @@ layout(location = 0) out vec4 fragment;
 // moved there; water.frag must know which point it got. 1 tells it from nothing.
 layout(location = 1) out vec4 shown;
 #endif
+#ifdef FOR_MAP
+// Radiance for each unit of the sun's irradiance facing it; 1 for a front, 1/2 for the back of something solid.
+layout(location = 1) out vec4 response;
+#endif
 
 vec3 shadingNormal()
 {
@@ -88,7 +91,7 @@ vec3 lit(vec3 n, vec3 toEye, vec3 light, vec3 irradiance, vec3 albedo)
 #ifdef TRANSMISSION
     radiance += albedo * transmission / lightPi * max(-dot(n, light), 0.0) * irradiance;
 #endif
-#ifdef SPECULAR
+#if defined(SPECULAR) && !defined(FOR_MAP) // a highlight depends on the eye
     radiance += specularReflectance * irradiance * cosine * blinnPhong(max(dot(n, normalize(light + toEye)), 0.0), shininess);
 #endif
     return radiance;
@@ -116,40 +119,6 @@ vec3 sunAbove()
 #else
     return sunIrradiance;
 #endif
-}
-
-// The same under water, facing the refracted sun: what waves gather where the caustics texture knows it, and what a
-// flat surface lets through elsewhere. Photons carry the shadows of what stands over the water with them.
-vec3 sunUnderwater(float depth)
-{
-    vec3 sun = sunBelow * beerLambert(absorption, depth / max(sunDirectionBelow.y, 0.05));
-#if defined(SHADOWS) || defined(CAUSTICS)
-    vec2 slant = sunSlant(sunDirectionBelow);
-    vec2 plane = sunPlane(positionW, waterLevel, slant);
-#endif
-    float gathered = 0.0;
-#ifdef CAUSTICS
-    // No waves, and so no photons, beside the water's rectangle: what is lit from there sees a flat surface.
-    vec2 fromEdge = min(causticsRect.zw - abs(plane - causticsRect.xy), waterRect.zw - abs(plane - waterRect.xy));
-    float inside = min(fromEdge.x, fromEdge.y);
-    gathered = clamp(inside / max(causticsBorder.x, 2.0 * causticsBorder.y), 0.0, 1.0);
-#endif
-#ifdef SHADOWS
-    vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), slant);
-    float visible = sunVisibility(submergedDepth, sunRect, plane, positionW.y, gradient, sunBiases.x);
-    if (gathered < 1.0) sun *= sunVisibility(afloatDepth, sunRect, plane, positionW.y, gradient, sunBiases.x);
-#endif
-#ifdef CAUSTICS
-    // The texture holds light through a level area relative to the same above the water.
-    vec2 scale = 0.5 / causticsRect.zw;
-    vec3 light = textureGrad(causticsMap, (plane - causticsRect.xy) * scale + 0.5,
-                             sunPlane(acrossW, 0.0, slant) * scale, sunPlane(alongW, 0.0, slant) * scale).rgb;
-    sun = mix(sun, light * sunIrradiance * (sunDirection.y / sunDirectionBelow.y), gathered);
-#endif
-#ifdef SHADOWS
-    sun *= visible;
-#endif
-    return sun;
 }
 
 void main()
@@ -192,12 +161,23 @@ void main()
     bool submerged = hasWater > 0.5 && depth > 0.0 &&
                      all(lessThanEqual(abs(positionW.xz - waterRect.xy), waterRect.zw + 0.01));
 #endif
+#ifdef FOR_MAP
+#if defined(ALPHA_TEST) || defined(TURN_NORMAL)
+    response = vec4(0.0, 0.0, 0.0, 1.0); // a sheet has nothing behind it
+#else
+    response = vec4(0.0, 0.0, 0.0, gl_FrontFacing ? 1.0 : 0.5);
+#endif
+#endif
     vec3 radiance = emittedRadiance;
 #ifdef EMISSIVE_MAP
     radiance *= texture(emissiveMap, uv).rgb;
 #endif
     if (submerged) {
-        radiance += lit(n, toEye, sunDirectionBelow, sunUnderwater(depth), albedo);
+#ifdef FOR_MAP
+        response.rgb = lit(n, toEye, sunDirectionBelow, vec3(1.0), albedo);
+#else
+        radiance += lit(n, toEye, sunDirectionBelow, sunUnderwater(positionW, acrossW, alongW), albedo);
+#endif
         radiance += albedo / lightPi * skyIrradianceAtDepth(skyBelow, absorption, depth, n);
     } else {
         radiance += lit(n, toEye, sunDirection, sunAbove(), albedo);

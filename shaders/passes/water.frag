@@ -10,6 +10,12 @@
 #include "shared/lighting.glsl"
 #include "passes/water_surface.glsl"
 #include "passes/water_fresnel.glsl"
+#if defined(RAYCAST) || defined(RAYCAST_REFLECTION)
+#include "shared/height_field.glsl"
+#ifndef PYRAMID
+uniform float marchUnit;
+#endif
+#endif
 
 uniform samplerCube skyMap;
 #ifdef REFRACTION
@@ -71,6 +77,18 @@ vec2 tangentsAt(mat4 clipFromView, vec2 texel)
 
 // The texel that a camera sees a point at. Behind the camera there is none; the nearest is the target's border.
 vec2 texelOf(vec4 clip) { return clip.xy / max(clip.w, 1.0e-6) * 0.5 + 0.5; }
+
+#ifndef UNDERWATER
+// What the water lets through of the bed's light on its way to the surface.
+vec3 letThrough(float path)
+{
+#ifdef LINEAR_ATTENUATION
+    return vec3(linearAttenuation(path, attenuationLength));
+#else
+    return beerLambert(absorption, path);
+#endif
+}
+#endif
 
 #ifdef REFRACTION
 vec2 refractionTexel(vec3 positionR) { return texelOf(refractionClipFromView * vec4(positionR, 1.0)); }
@@ -137,18 +155,6 @@ vec4 shownFor(vec3 hitW)
 }
 #endif
 
-#ifndef UNDERWATER
-// What the water lets through of the bed's light on its way to the surface.
-vec3 letThrough(float path)
-{
-#ifdef LINEAR_ATTENUATION
-    return vec3(linearAttenuation(path, attenuationLength));
-#else
-    return beerLambert(absorption, path);
-#endif
-}
-#endif
-
 #ifdef FLAT_CAMERA
 // Section 7.1 in world space. Points are written (x, z, y), so that the third coordinate, which intersection.glsl
 // compares, is the height: a refracted ray only goes down, and what lies lower is behind.
@@ -205,6 +211,10 @@ Transmitted lookupBed(vec3 refracted)
     return t;
 }
 #endif
+#endif
+
+#ifdef RAYCAST
+#include "passes/raycast_bed.glsl"
 #endif
 
 #ifdef UNDERWATER
@@ -296,12 +306,19 @@ vec2 reflectionTexel(vec3 reflected)
 #endif
 #endif
 
+#ifdef RAYCAST_REFLECTION
+#include "passes/raycast_mirror.glsl"
+#endif
+
 #if DEBUG_VIEW == 7
 // The point that the reflection's lookup shows, world, with alpha 1; where it shows none, the direction of what it does
 // show (sky, or deep water) with alpha 2.
 vec4 shownMirrored(vec3 reflected)
 {
-#ifdef REFLECTION
+#ifdef RAYCAST_REFLECTION
+    AfloatHit found = mirroredHit(reflected);
+    return found.isFound > 0.5 ? vec4(found.point, 1.0) : vec4(reflected, 2.0);
+#elif defined(REFLECTION)
     vec2 size = vec2(textureSize(reflectionDepth, 0));
     vec2 texel = clamp(reflectionTexel(reflected), 0.5 / size, 1.0 - 0.5 / size); // past its border, the border
     // The nearest sample's depth: a mean over an edge is the depth of nothing.
@@ -318,7 +335,10 @@ vec4 shownMirrored(vec3 reflected)
 
 vec3 reflectedRadiance(vec3 reflected)
 {
-#ifdef REFLECTION
+#ifdef RAYCAST_REFLECTION
+    AfloatHit found = mirroredHit(reflected);
+    return found.isFound > 0.5 ? mirroredRadiance(found) : texture(skyMap, reflected).rgb;
+#elif defined(REFLECTION)
     return texture(reflectionColour, reflectionTexel(reflected)).rgb;
 #elif defined(UNDERWATER)
     return deepRadiance;
@@ -420,10 +440,16 @@ void main()
 #endif
     float fresnel = shares.y;
 
-#ifdef REFRACTION
+#if defined(REFRACTION) || defined(RAYCAST)
     // What is mirrored is a mean over the pixel's facets. What is seen through them is that of the facet in its middle: one
     // of those that make up the mean, where a ray through a surface of the mean normal is none of them.
-    Transmitted transmitted = lookupBed(refractRay(-toEye, surface.normal, 1.0 / ior));
+    vec3 refracted = refractRay(-toEye, surface.normal, 1.0 / ior);
+#ifdef RAYCAST
+    bool isFound;
+    Transmitted transmitted = lookupBed(refracted, isFound);
+#else
+    Transmitted transmitted = lookupBed(refracted);
+#endif
     vec3 below = transmitted.radiance;
     vec3 hit = transmitted.hitW;
     float path = transmitted.path;
@@ -472,7 +498,9 @@ void main()
     fragment = vec4(surfaceW, 1.0);
 #elif DEBUG_VIEW == 6
     fragment = vec4(hit, 0.5);
-#ifdef REFRACTION
+#ifdef RAYCAST
+    fragment = vec4(hit.x, bedHeight(hit.xz), hit.z, isFound ? 1.0 : 0.5); // the picture is taken straight from above
+#elif defined(REFRACTION)
     fragment = shownFor(hit);
 #endif
 #ifdef UNDERWATER

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace tarn
 {
@@ -91,8 +92,12 @@ void run(const ExplainCommand& command)
         stage = loadStage(command.scene, &progress);
     }
     const Camera camera = chooseCamera(stage.scene, command.view.camera);
-    const FramePlan plan = planFrame(stage.scene, stage.settings.water, camera, stage.settings.options,
-                                     command.view.size, command.view.time);
+    std::optional<DepthComplexity> complexity;
+    if (wantsDepthComplexity(stage.settings.options))
+        complexity = depthComplexity(stage.scene, stage.settings.water);
+    const FramePlan plan =
+        planFrame(stage.scene, stage.settings.water, camera, stage.settings.options, command.view.size,
+                  command.view.time, complexity ? &*complexity : nullptr);
     writeJson(command.json, toJson(plan));
     if (command.json != "-") fmt::print("{}", toTable(plan));
 }

@@ -21,6 +21,8 @@ std::span<const FigureField> errorFigureFields()
                     &E::refractionWrongTexel},
         FigureField{"refraction.invalid", "", "Share of pixels without a valid refraction sample",
                     &E::refractionInvalid},
+        FigureField{"refraction.hidden", "", "Share of pixels whose true refraction hit is not in the map of heights",
+                    &E::refractionHidden},
         FigureField{"reflection.median", "deg", "Reflection hit error, median", &E::reflectionMedian},
         FigureField{"reflection.p95", "deg", "Reflection hit error, 95th percentile", &E::reflectionP95},
         FigureField{"reflection.p99", "deg", "Reflection hit error, 99th percentile", &E::reflectionP99},

@@ -16,6 +16,7 @@ struct ErrorFigures {
     double refractionWrong5cm = none;   ///< share of pixels over 5 cm
     double refractionWrongTexel = none; ///< share over one texel's footprint of the refraction target at the true hit
     double refractionInvalid = none;    ///< share without a valid sample
+    double refractionHidden = none;     ///< share whose true hit the map of heights does not hold: something is over it
     // Reflection hit error: between the used and the true direction from U to the hit.
     double reflectionMedian = none, reflectionP95 = none, reflectionP99 = none, reflectionMax = none; ///< degrees
     double fresnelMean = none, fresnelMax = none; ///< of the reflectance

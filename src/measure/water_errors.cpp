@@ -86,11 +86,12 @@ double mean(const std::vector<double>& values)
 
 void addRefraction(ErrorFigures& figures, const WaterQuantities& used, const reference::Picture& truth)
 {
-    std::size_t refracted = 0, invalid = 0, over5cm = 0, overTexel = 0;
+    std::size_t refracted = 0, invalid = 0, over5cm = 0, overTexel = 0, hidden = 0;
     const std::vector<double> errors = errorsOf(ErrorKind::refraction, used, truth, [&](std::size_t pixel) {
         const bool valid = used.hasSample[pixel];
         const double error = refractionError(used, truth, pixel);
         ++refracted;
+        hidden += used.heights && !used.heights->holds(truth.refractionHit[pixel], 0.05f);
         invalid += !valid;
         over5cm += !valid || error > 0.05;
         overTexel += !valid || error > used.footprint.at(truth.refractionHit[pixel]);
@@ -101,6 +102,7 @@ void addRefraction(ErrorFigures& figures, const WaterQuantities& used, const ref
         return static_cast<double>(count) / static_cast<double>(refracted);
     };
     figures.refractionInvalid = share(invalid);
+    if (used.heights) figures.refractionHidden = share(hidden);
     figures.refractionWrong5cm = share(over5cm);
     figures.refractionWrongTexel = share(overTexel);
     if (errors.empty()) return;

@@ -27,17 +27,18 @@ void readView(Renderer& renderer, const FrameInput& frame, DebugView view, const
 
 TexelFootprint footprintOf(const Renderer& renderer, const Options& options)
 {
+    if (const HeightField* field = renderer.heightField()) return {vec3(0.0f), 0.0, static_cast<double>(field->texel())};
     const View& view = renderer.refractionView();
     // clipFromView[0][0] and [1][1] are 1 / tan of half the field of view, across and up: the lesser spans more.
     const float wider = std::min(view.clipFromView[0][0], view.clipFromView[1][1]);
-    return {view.eye, 2.0 / (static_cast<double>(wider) * options.refraction.targetSize)};
+    return {view.eye, 2.0 / (static_cast<double>(wider) * options.refraction.targetSize), 0.0};
 }
 
 } // namespace
 
 double TexelFootprint::at(const vec3& point) const
 {
-    return edgePerMetre * static_cast<double>(glm::distance(eye, point));
+    return edge + edgePerMetre * static_cast<double>(glm::distance(eye, point));
 }
 
 WaterQuantities::WaterQuantities(ivec2 pictureSize) : size(pictureSize)
@@ -81,6 +82,7 @@ WaterQuantities readQuantities(Renderer& renderer, const Camera& camera, double 
              [&](std::size_t pixel, const vec4& value) { q.fresnel[pixel] = value.x; });
     readView(renderer, frame, DebugView::pathLength,
              [&](std::size_t pixel, const vec4& value) { q.waterPath[pixel] = value.x; });
+    if (const HeightField* field = renderer.heightField()) q.heights = *field;
     q.footprint = footprintOf(renderer, renderer.options());
     return q;
 }

@@ -17,6 +17,7 @@ namespace tarn
 struct TexelFootprint {
     vec3 eye{0.0f};       ///< of the refraction target's camera, world
     double edgePerMetre = 0.0; ///< of the longer edge of a texel in the target's middle
+    double edge = 0.0;         ///< m, that of a map seen from far above, whatever the distance
 
     /// Metres, at a point of the world.
     double at(const vec3& point) const;
@@ -39,6 +40,7 @@ struct WaterQuantities {
     std::vector<float> waterPath;            ///< m: |A - U|, or from the eye to U when that is under water
     TexelFootprint footprint;
     std::optional<CausticsMap> caustics;     ///< nothing when the frame had none
+    std::optional<HeightField> heights;      ///< what refracted rays were marched through; nothing by other methods
     Image display, linear;                   ///< the final picture, as Renderer::readDisplay and readLinear give it
 
     WaterQuantities() = default;

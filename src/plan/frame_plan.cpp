@@ -12,8 +12,9 @@ namespace tarn {
 
 const char* passName(PassId pass)
 {
-    constexpr const char* names[passCount] = {"sunlight", "caustics", "refraction", "reflection",
-                                              "scene",    "water",    "glow",       "present"};
+    constexpr const char* names[passCount] = {"sunlight",   "caustics", "heights", "refraction",
+                                              "reflection", "scene",    "water",   "glow",
+                                              "present"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -192,12 +193,68 @@ const char* presentReason(StereoOptions::Output output)
     return "tone mapping to the display";
 }
 
+/// Which maps of heights are marched through, and with them the target of either kind: seen from above a map takes its
+/// place.
+void planWaterLookups(FramePlan& plan, const Options& options, const LookupChoice& bed, const LookupChoice& mirror)
+{
+    const bool fromAbove = plan.side != WaterSide::below, fromBelow = plan.side != WaterSide::above;
+    const RefractionOptions& refraction = options.refraction;
+    const ReflectionOptions& reflection = options.reflection;
+    plan.raycastsBed = fromAbove && refraction.enabled && bed.raycasts;
+    plan.raycastsMirror = fromAbove && options.water.reflects && reflection.enabled && mirror.raycasts;
+
+    const auto chosen = [&](const char* above, const char* crossing, const char* below) {
+        return fromAbove && fromBelow ? crossing : fromAbove ? above : below;
+    };
+    const ivec2 refractionSize(refraction.targetSize), reflectionSize(reflection.targetSize);
+    if (!refraction.enabled)
+        plan[PassId::refraction] = unwanted("refraction.enabled is off: the water shows its own colour");
+    else if (plan.raycastsBed)
+        plan[PassId::refraction] =
+            fromBelow ? wanted("from below, what stands over the water", refractionSize, "")
+                      : unwanted("the bed is found in its map of heights");
+    else
+        plan[PassId::refraction] =
+            wanted(chosen("the bed under the surface", "both the bed and, from below, what stands over the water",
+                          "what stands over the water, seen from below"),
+                   refractionSize, "");
+    if (!options.water.reflects)
+        plan[PassId::reflection] = unwanted("water.reflects is off: the surface shows only what is refracted");
+    else if (!reflection.enabled)
+        plan[PassId::reflection] = unwanted("reflection.enabled is off: the water mirrors the sky alone");
+    else if (plan.raycastsMirror)
+        plan[PassId::reflection] =
+            fromBelow ? wanted("from below, the bed mirrored in the surface", reflectionSize, "")
+                      : unwanted("what is mirrored is found in its map of heights");
+    else
+        plan[PassId::reflection] =
+            wanted(chosen("what the surface mirrors", "what the surface mirrors, from above and from below",
+                          "the bed mirrored in the surface from below"),
+                   reflectionSize, "");
+    const bool raycasts = plan.raycastsBed || plan.raycastsMirror;
+    plan[PassId::heights] =
+        raycasts ? wanted(plan.raycastsBed && plan.raycastsMirror
+                              ? "rays are marched through the bed and what stands over the water; drawn when scene, sun "
+                                "or water changed"
+                          : plan.raycastsBed ? "refracted rays are marched through the bed; drawn when scene, sun or "
+                                               "water changed"
+                                             : "mirrored rays are marched through what stands over the water; drawn when "
+                                               "scene, sun or water changed",
+                          ivec2(options.heights.mapSize), "sunlight")
+                 : unwanted("no ray is marched: neither method takes a map, or the eye is under water");
+    const auto explain = [&](PassId pass, const LookupChoice& choice) {
+        if (fromAbove && !choice.why.empty()) plan[pass].reason += " (" + choice.why + ")";
+    };
+    if (refraction.enabled) explain(PassId::refraction, bed);
+    if (reflection.enabled && options.water.reflects) explain(PassId::reflection, mirror);
+}
+
 ivec2 glowSize(ivec2 size, const Options& options) { return glm::max(size / options.glow.divisor, ivec2(1)); }
 
 } // namespace
 
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-                    ivec2 size, double time)
+                    ivec2 size, double time, const DepthComplexity* complexity)
 {
     FramePlan plan;
     plan[PassId::scene] = wanted("what the eye sees, without the water", size * options.frame.supersampling, "");
@@ -223,7 +280,8 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     const std::string noWater = whyNoWater(water, camera, options, size);
     planSunlight(plan, scene, noWater, options);
     if (!noWater.empty()) {
-        for (const PassId pass : {PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
+        for (const PassId pass :
+             {PassId::heights, PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
             plan[pass] = unwanted(noWater);
         return plan;
     }
@@ -231,22 +289,11 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     plan[PassId::water] = wanted(bySide("the surface is in the view",
                                         "the surface cuts the near plane: drawn from both sides",
                                         "the surface seen from below"),
-                                 size * options.frame.supersampling,
-                                 options.water.reflects ? "scene, refraction, reflection" : "scene, refraction");
-    plan[PassId::refraction] =
-        options.refraction.enabled
-            ? wanted(bySide("the bed under the surface", "both the bed and, from below, what stands over the water",
-                            "what stands over the water, seen from below"),
-                     ivec2(options.refraction.targetSize), "")
-            : unwanted("refraction.enabled is off: the water shows its own colour");
-    plan[PassId::reflection] =
-        !options.water.reflects
-            ? unwanted("water.reflects is off: the surface shows only what is refracted")
-        : options.reflection.enabled
-            ? wanted(bySide("what the surface mirrors", "what the surface mirrors, from above and from below",
-                            "the bed mirrored in the surface from below"),
-                     ivec2(options.reflection.targetSize), "")
-            : unwanted("reflection.enabled is off: the water mirrors the sky alone");
+                                 size * options.frame.supersampling, "scene");
+    planWaterLookups(plan, options, chooseRefraction(options, water, camera, size, complexity),
+                     chooseReflection(options, complexity));
+    for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection})
+        if (plan[pass].wanted) plan[PassId::water].dependsOn += std::string(", ") + passName(pass);
     const std::string noGlow = whyNoGlow(scene, plan, options);
     plan[PassId::glow] = noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options), "water")
                                         : unwanted(noGlow);

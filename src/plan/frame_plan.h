@@ -2,6 +2,7 @@
 #pragma once
 
 #include "optics/water_grid.h"
+#include "plan/lookup_choice.h"
 #include "plan/options.h"
 #include "scene/scene.h"
 
@@ -11,8 +12,8 @@
 namespace tarn {
 
 /// In the order in which a frame runs them.
-enum class PassId { sunlight, caustics, refraction, reflection, scene, water, glow, present };
-inline constexpr std::size_t passCount = 8;
+enum class PassId { sunlight, caustics, heights, refraction, reflection, scene, water, glow, present };
+inline constexpr std::size_t passCount = 9;
 
 /// "refraction", "reflection", … as shown by the profiler, the HUD and `tarn explain`.
 const char* passName(PassId pass);
@@ -36,6 +37,7 @@ struct FramePlan {
     bool underwater = false; ///< the eye is below the water's surface (and underwater.enabled is on)
     WaterSide side = WaterSide::above; ///< of the near plane, where pictures begin
     optics64::WaterGrid waterGrid{};   ///< that draws the surface
+    bool raycastsBed = false, raycastsMirror = false; ///< from above, through which of the maps of heights
 
     const PassPlan& operator[](PassId pass) const { return passes[static_cast<std::size_t>(pass)]; }
     PassPlan& operator[](PassId pass) { return passes[static_cast<std::size_t>(pass)]; }
@@ -62,7 +64,8 @@ float drawnHeight(const WaterBody& water, const optics64::WaterGrid& grid, vec2 
 WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, const Camera& camera, float aspect, double time);
 
 /// @param camera of one eye, in stereo   @param size of the picture, or of one eye's, pixels   @param time seconds
+/// @param complexity what the methods auto go by; null where none is
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-                    ivec2 size, double time);
+                    ivec2 size, double time, const DepthComplexity* complexity = nullptr);
 
 } // namespace tarn

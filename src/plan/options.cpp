@@ -12,13 +12,15 @@ namespace
 constexpr std::array toneCurveNames{"linear", "reinhard", "aces"};
 constexpr std::array waterGridNames{"uniform", "focused"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
-constexpr std::array refractionMethodNames{"planar", "iterative"};
+constexpr std::array refractionMethodNames{"planar", "iterative", "raycast", "auto"};
 constexpr std::array refractionCameraNames{"main", "snell", "flat"};
 constexpr std::array fresnelNames{"schlick", "table", "exact"};
 constexpr std::array attenuationNames{"exponential", "linear"};
 constexpr std::array specularNames{"physical", "phong"};
 constexpr std::array tableFilterNames{"nearest", "linear"};
-constexpr std::array reflectionMethodNames{"distance", "iterative"};
+constexpr std::array reflectionMethodNames{"distance", "iterative", "raycast", "auto"};
+constexpr std::array marchNames{"classic", "pyramid"};
+constexpr std::array heightFilterNames{"nearest", "linear"};
 constexpr std::array facetsNames{"one", "three", "five"};
 constexpr std::array causticsMethodNames{"cpu", "points", "fetch", "mesh"};
 constexpr std::array underwaterRefractionNames{"paper", "exact"};
@@ -83,7 +85,9 @@ void visit(FieldVisitor& v, WaterOptions& o)
 void visit(FieldVisitor& v, RefractionOptions& o)
 {
     v.field({"enabled", "See into the water; off shows the colour of deep water only"}, o.enabled);
-    v.choice({"method", "How the point W on the bed is found: planar takes the first approximation only"},
+    v.choice({"method", "How the point W on the bed is found: in the refraction target's depth, planar with the first "
+                        "approximation only or iterative; or raycast, through a map of heights (Lipp); auto takes one of the "
+                        "last two, and tarn explain says why"},
              o.method, refractionMethodNames);
     v.field({"steps", "Steps of the iterative intersection (Mihalik 2008, section 7.1)", "steps", 1, 64},
             o.steps);
@@ -105,8 +109,9 @@ void visit(FieldVisitor& v, RefractionOptions& o)
 void visit(FieldVisitor& v, ReflectionOptions& o)
 {
     v.field({"enabled", "Mirror the scene above the water; off mirrors the sky only"}, o.enabled);
-    v.choice({"method", "How the mirrored point is found: at a distance along the ray as published, or by the "
-                        "intersection of section 7.1 in the mirrored picture's depth"},
+    v.choice({"method", "How the mirrored point is found: at a distance along the ray as published, by the "
+                        "intersection of section 7.1 in the mirrored picture's depth, or raycast, through a map of "
+                        "heights (Lipp); auto takes one of the last two"},
              o.method, reflectionMethodNames);
     v.field({"steps", "Steps of that intersection", "steps", 1, 64}, o.steps);
     v.choice({"facets", "Slopes that stand for the waves too small for a pixel; each mirrors on its own"}, o.facets,
@@ -123,6 +128,22 @@ void visit(FieldVisitor& v, ReflectionOptions& o)
     v.field({"fov_extension_far", "Factor on the target's field of view (tangents) far above the water", "",
              1.0, 3.0},
             o.fovExtensionFar);
+}
+
+void visit(FieldVisitor& v, HeightsOptions& o)
+{
+    v.field({"map_size", "Edge of the square map of heights, rounded up to a power of two", "texels", 16, 4096},
+            o.mapSize);
+    v.field({"border", "How far the map reaches beyond the water's rectangle", "m", 0.0, 1000.0}, o.border);
+    v.choice({"march", "How a ray is followed: in steps as published, or by a pyramid of the largest heights, so that "
+                       "nothing is stepped over"},
+             o.march, marchNames);
+    v.field({"unit", "The unit that the classic march takes 3 to 10 steps in", "m", 0.001, 1000.0}, o.unit);
+    v.choice({"filter", "Heights between texels, in the classic march: the nearest as published, or linear"}, o.filter,
+             heightFilterNames);
+    v.field({"refine", "Halvings of the step that met the ground, in the classic march; 0 is as published", "steps", 0,
+             16},
+            o.refine);
 }
 
 void visit(FieldVisitor& v, SunlightOptions& o)
@@ -205,6 +226,7 @@ void visit(FieldVisitor& visitor, Options& options)
     visitGroup(visitor, "water", "How the water's surface is drawn", options.water);
     visitGroup(visitor, "refraction", "What is seen through the water", options.refraction);
     visitGroup(visitor, "reflection", "What is seen mirrored in the water", options.reflection);
+    visitGroup(visitor, "heights", "The maps of heights that the methods raycast look in", options.heights);
     visitGroup(visitor, "sunlight", "The sun's shadows", options.sunlight);
     visitGroup(visitor, "caustics", "Caustics", options.caustics);
     visitGroup(visitor, "underwater", "Under water", options.underwater);

@@ -45,7 +45,7 @@ struct WaterOptions {
 enum class DepthFormat { depth16, depth24, depth32f };
 
 struct RefractionOptions {
-    enum class Method { planar, iterative };
+    enum class Method { planar, iterative, raycast, automatic };
     enum class CameraMode { main, snell, flat };
     bool enabled = true;
     Method method = Method::iterative;
@@ -59,7 +59,7 @@ struct RefractionOptions {
 };
 
 struct ReflectionOptions {
-    enum class Method { distance, iterative };
+    enum class Method { distance, iterative, raycast, automatic };
     enum class Facets { one, three, five };
     bool enabled = true;
     Method method = Method::iterative;
@@ -70,6 +70,17 @@ struct ReflectionOptions {
     float clipOffset = 0.1f;
     float fovExtensionNear = 1.5f;
     float fovExtensionFar = 1.2f;
+};
+
+struct HeightsOptions {
+    enum class March { classic, pyramid };
+    enum class Filter { nearest, linear };
+    int mapSize = 1024;
+    float border = 2.0f;
+    March march = March::pyramid;
+    float unit = 1.0f;
+    Filter filter = Filter::nearest;
+    int refine = 0;
 };
 
 struct SunlightOptions {
@@ -119,6 +130,7 @@ struct Options {
     WaterOptions water;
     RefractionOptions refraction;
     ReflectionOptions reflection;
+    HeightsOptions heights;
     SunlightOptions sunlight;
     CausticsOptions caustics;
     UnderwaterOptions underwater;

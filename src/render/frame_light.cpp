@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace tarn {
 
@@ -52,6 +53,19 @@ blocks::FrameBlock frameBlock(const Scene& scene, const WaterBody& water, const 
     }
     block.lightCount = static_cast<float>(count);
     return block;
+}
+
+blocks::FrameBlock lastingLight(const blocks::FrameBlock& light)
+{
+    blocks::FrameBlock lasting = light;
+    lasting.time = 0.0f;
+    for (blocks::GridAxis& axis : lasting.waterGrid) axis = {};
+    return lasting;
+}
+
+bool sameLight(const blocks::FrameBlock& a, const blocks::FrameBlock& b)
+{
+    return std::memcmp(&a, &b, sizeof a) == 0; // floats, whose padding has names and is zero
 }
 
 blocks::WavesBlock wavesBlock(const WaterBody& water, double time)

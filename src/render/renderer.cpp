@@ -7,6 +7,7 @@
 #include "render/bed_detail.h"
 #include "render/bindings.h"
 #include "render/frame_light.h"
+#include "render/height_maps.h"
 #include "render/passes/caustics.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
@@ -103,6 +104,7 @@ struct Renderer::State {
     ScenePainter painter;
     Bounds bounds; ///< of the scene, world space
     float bedEdge = 0.0f; ///< m; of the triangles under water
+    std::optional<DepthComplexity> complexity; ///< once a method is auto
     bool saidCoarse = false; ///< that they are too large for refraction.camera = flat
 
     gl::UniformBuffer<blocks::FrameBlock> frameBlock =
@@ -116,6 +118,7 @@ struct Renderer::State {
     gl::Target frame{"frame"};
     SunlightPass sunlight;
     CausticsPass causticsPass;
+    HeightMaps heights;
     RefractionPass refraction;
     ReflectionPass reflection;
     RefractionPass refractionBelow; ///< of the pixels under water, in a frame that shows both sides
@@ -161,6 +164,7 @@ struct Renderer::State {
     void drawSunlight();
     SunMaps sunMaps(const gl::Texture* causticsMap) const;
     void drawCaustics();
+    void drawHeights();
     void drawRefraction();
     void drawReflection();
     void drawScene(const FrameInput& input);
@@ -212,10 +216,13 @@ void Renderer::setOptions(const Options& options, const WaterBody& water)
 
 void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
 {
-    if (body.level != water.level || body.extent != water.extent || body.centre != water.centre)
+    if (body.level != water.level || body.extent != water.extent || body.centre != water.centre) {
         bedEdge = coarseEdgeUnderWater(scene, body);
+        complexity.reset();
+    }
     options = wanted;
     water = body;
+    if (wantsDepthComplexity(options) && !complexity) complexity = depthComplexity(scene, water);
     if (ditherCutOuts(options.frame)) gpuScene.wantShares();
     if (options.refraction.camera != RefractionOptions::CameraMode::flat || bedEdge <= longestBedEdge) return;
     options.refraction.camera = RefractionOptions::CameraMode::snell;
@@ -275,7 +282,8 @@ void Renderer::State::drawBothEyes(const FrameInput& input)
 
 void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
 {
-    stats.plan = planFrame(scene, water, input.camera, options, input.size, input.time);
+    stats.plan = planFrame(scene, water, input.camera, options, input.size, input.time,
+                           complexity ? &*complexity : nullptr);
     glow = nullptr;
     sideOfPixels = nullptr;
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
@@ -385,8 +393,17 @@ void Renderer::State::drawTargets()
         if (!hasCaustics) drawCaustics();
         painter.setSunMaps(sunMaps(&causticsPass.target().colour()));
     }
+    if (stats.plan[PassId::heights].wanted) drawHeights();
     if (stats.plan[PassId::refraction].wanted) drawRefraction();
     if (stats.plan[PassId::reflection].wanted) drawReflection();
+}
+
+void Renderer::State::drawHeights()
+{
+    gl::PassScope scope(profiler, passName(PassId::heights));
+    FrameStats::Pass& pass = stats.of(passName(PassId::heights));
+    const HeightMaps::Inputs inputs{stats.plan, options, water, bounds, volume, light, lit};
+    heights.draw(inputs, painter, viewBlock, pass);
 }
 
 void Renderer::State::drawRefraction()
@@ -401,7 +418,7 @@ void Renderer::State::drawRefraction()
                                             .style = lit};
         check(PassId::refraction, side.draw(painter, options.refraction, inputs, pass));
     };
-    draw(refraction, refractionView, isBelow);
+    if (!stats.plan.raycastsBed) draw(refraction, refractionView, isBelow);
     if (!isCrossing) return;
     viewBlock.update(tarn::viewBlock(refractionViewBelow, stats.plan[PassId::refraction].size));
     draw(refractionBelow, refractionViewBelow, true);
@@ -416,7 +433,7 @@ void Renderer::State::drawReflection()
             .view = view, .underwater = underwater, .cull = options.frame.cullChunks, .style = lit};
         check(PassId::reflection, side.draw(painter, options.reflection, inputs, pass));
     };
-    draw(reflection, reflectionView, isBelow);
+    if (!stats.plan.raycastsMirror) draw(reflection, reflectionView, isBelow);
     if (!isCrossing) return;
     viewBlock.update(tarn::viewBlock(reflectionViewBelow, stats.plan[PassId::reflection].size));
     draw(reflectionBelow, reflectionViewBelow, true);
@@ -460,19 +477,25 @@ void Renderer::State::drawWater(const FrameInput& input)
     gl::PassScope scope(profiler, passName(PassId::water));
     const bool refracts = stats.plan[PassId::refraction].wanted;
     const bool reflects = stats.plan[PassId::reflection].wanted;
-    WaterPass::Inputs inputs{.refraction = refracts ? &refraction.target() : nullptr,
+    const bool marchesBed = stats.plan.raycastsBed, marchesMirror = stats.plan.raycastsMirror;
+    WaterPass::Inputs inputs{.bed = {},
+                             .afloat = marchesMirror ? &heights.afloat() : nullptr,
+                             .refraction = refracts && !marchesBed ? &refraction.target() : nullptr,
                              .refractionView = &refractionView,
-                             .reflection = reflects ? &reflection.target() : nullptr,
+                             .reflection = reflects && !marchesMirror ? &reflection.target() : nullptr,
                              .reflectionView = &reflectionView,
                              .skyMap = gpuScene.skyMap(),
                              .ior = water.ior,
                              .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                              .underwater = isBelow,
                              .view = input.view};
+    if (marchesBed) inputs.bed.emplace(WaterPass::Bed{heights.bed(), painter.sunMaps(), lit});
     if (isCrossing) inputs.waterline = sideOfPixels;
     FrameStats::Pass& pass = beginPass(PassId::water, main, drawnSize);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
     if (isCrossing) {
+        inputs.bed.reset();
+        inputs.afloat = nullptr;
         if (refracts) inputs.refraction = &refractionBelow.target();
         inputs.refractionView = &refractionViewBelow;
         if (reflects) inputs.reflection = &reflectionBelow.target();
@@ -501,7 +524,9 @@ void Renderer::State::drawGlow(const FrameInput& input)
 const gl::Target& Renderer::State::selectShown(const FrameInput& input)
 {
     const ivec2 size = input.size;
-    const bool refracts = stats.plan[PassId::refraction].wanted;
+    // With raycast the target, if there is one, is that of what is seen from below.
+    const bool refracts = stats.plan[PassId::refraction].wanted && !stats.plan.raycastsBed;
+    const bool reflects = stats.plan[PassId::reflection].wanted && !stats.plan.raycastsMirror;
     switch (input.view) {
     case DebugView::sceneDepth: return debugCopy.depth(frame.depth(), size, main.nearPlane, main.farPlane);
     case DebugView::refractionColour:
@@ -511,7 +536,7 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
                                           refractionView.farPlane)
                         : debugCopy.nothing(size);
     case DebugView::reflection:
-        return stats.plan[PassId::reflection].wanted ? debugCopy.colour(reflection.target().colour(), size)
+        return reflects ? debugCopy.colour(reflection.target().colour(), size)
                                                      : debugCopy.nothing(size);
     case DebugView::caustics:
         return stats.plan[PassId::caustics].wanted ? debugCopy.colour(causticsPass.target().colour(), size)
@@ -546,6 +571,11 @@ Image Renderer::readLinear() const
         throw Error("an anaglyph is made of what a display shows and has no radiance; stereo.output = side_by_side or "
                     "pair has");
     return readFloats(s.shown->framebuffer());
+}
+
+const HeightField* Renderer::heightField() const
+{
+    return state_->stats.plan.raycastsBed ? &state_->heights.bed().field() : nullptr;
 }
 
 const View& Renderer::refractionView() const { return state_->refractionView; }

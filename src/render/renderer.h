@@ -10,6 +10,7 @@
 #include "plan/frame_plan.h"
 #include "plan/options.h"
 #include "render/debug_view.h"
+#include "render/height_field.h"
 #include "render/sun_views.h"
 #include "scene/scene.h"
 
@@ -106,6 +107,9 @@ public:
     /// The camera of the last frame's refraction target (of its air's side, when it shows both; of the right eye, when it
     /// shows two), world space.
     const View& refractionView() const;
+
+    /// The map that the last frame's refracted rays were marched through, or null when they were found otherwise.
+    const HeightField* heightField() const;
 
     /// The last frame's caustics texture as it is; nothing when the frame had none. Waits for the GPU.
     std::optional<CausticsMap> readCaustics() const;

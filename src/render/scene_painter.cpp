@@ -29,6 +29,8 @@ enum Feature : unsigned {
     flatWater = 1u << 19,
     distantShadows = 1u << 20,
     dithered = 1u << 21,
+    forMap = 1u << 22,
+    countsFaces = 1u << 23,
 };
 
 struct FeatureName {
@@ -43,10 +45,10 @@ constexpr FeatureName featureNames[] = {
     {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
     {waterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"},
     {flatWater, "FLAT_WATER"},      {distantShadows, "DISTANT_SHADOWS"},
-    {dithered, "DITHERED"}};
+    {dithered, "DITHERED"},         {forMap, "FOR_MAP"},             {countsFaces, "COUNT_FACES"}};
 
 /// What decides whether a surface is there at all.
-constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane | dithered;
+constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane | dithered | countsFaces;
 
 gl::Defines definesOf(unsigned features)
 {
@@ -111,9 +113,11 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.shadows) bits |= shadows;
     if (style.distantShadows && !(bits & inWater)) bits |= distantShadows;
     if (style.caustics && !(bits & inAir)) bits |= caustics;
-    if (style.depthOnly) {
+    if (style.forMap) bits |= forMap;
+    if (style.countsFaces) bits |= countsFaces;
+    if (style.depthOnly || style.countsFaces) {
         bits &= shapeFeatures;
-        if (!(bits & alphaTest)) bits &= clipPlane; // maps matter to cut-outs only
+        if (!(bits & alphaTest)) bits &= clipPlane | countsFaces; // maps matter to cut-outs only
         bits |= depthOnly;
     }
     const int taps = style.shadows ? sunMaps_.taps : 0;
@@ -121,8 +125,9 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (!program) {
         gl::Defines defines = definesOf(bits);
         if (taps > 0) defines.emplace_back("SHADOW_TAPS", std::to_string(taps));
-        program = shaders_.program(style.depthOnly ? "sunlight" : "scene", "passes/scene.vert",
-                                   style.depthOnly ? "passes/sunlight.frag" : "passes/scene.frag", defines);
+        const bool shapeOnly = (bits & depthOnly) != 0;
+        program = shaders_.program(shapeOnly ? "sunlight" : "scene", "passes/scene.vert",
+                                   shapeOnly ? "passes/sunlight.frag" : "passes/scene.frag", defines);
     }
     return *program;
 }
@@ -186,12 +191,16 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
     int lastState = -1;
     for (const Chunk* chunk : chunks) {
         const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
-        const int state = (material.twoSided || style.bothSides ? 1 : 0) |
+        if (style.countsFaces && (material.twoSided || material.alphaTested)) continue; // sheets, with nothing within
+        const int state = (material.twoSided || style.bothSides || style.countsFaces ? 1 : 0) |
                           (material.alphaTested && style.alphaToCoverage ? 2 : 0);
         if (state != lastState) {
             // Back faces go before clipping, or the clip plane would show the insides of what it cuts (Fig. 3).
-            gl::apply({.cull = (state & 1) ? gl::Cull::none : gl::Cull::back,
+            gl::apply({.depthTest = style.countsFaces ? gl::DepthTest::off : gl::DepthTest::less,
+                       .depthClamp = style.countsFaces, // what stands over the map's range counts too
+                       .cull = (state & 1) ? gl::Cull::none : gl::Cull::back,
                        .clockwiseFront = view.mirrored,
+                       .blend = style.countsFaces ? gl::Blend::add : gl::Blend::none,
                        .clipDistances = view.clips() ? 1 : 0,
                        .alphaToCoverage = (state & 2) != 0});
             lastState = state;

@@ -25,6 +25,8 @@ struct PaintStyle {
     bool throughFlatWater = false; ///< what lies under the level is drawn where a flat surface shows it
     bool depthOnly = false;       ///< no colour
     bool bothSides = false;       ///< faces are there seen from behind, too: whatever side the sun sees casts a shadow
+    bool forMap = false;          ///< all but the sun's light under water, and beside it how that would be answered
+    bool countsFaces = false;     ///< adds 1 for each face that is seen from the front and takes 1 for each from behind
     bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
 };
 
@@ -49,6 +51,7 @@ public:
 
     /// For all draws from now on; the textures must outlive them.
     void setSunMaps(const SunMaps& maps) { sunMaps_ = maps; }
+    const SunMaps& sunMaps() const { return sunMaps_; }
 
     /// Draws into the bound target. FrameBlock and the view's ViewBlock must be bound.
     void draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,

@@ -1,5 +1,7 @@
 #include "render/sun_views.h"
 
+#include "optics/optics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -81,21 +83,28 @@ SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& to
     return volume;
 }
 
+View parallelView(const LevelRect& rect, float lowest, float highest, vec2 slant, float level)
+{
+    // Rows of clipFromWorld: x - slant (y - level) and z likewise over the rectangle, heights from the top down.
+    const vec2 half = rect.halfExtent;
+    const float range = highest - lowest;
+    const vec4 rowX(1.0f / half.x, -slant.x / half.x, 0.0f, (slant.x * level - rect.centre.x) / half.x);
+    const vec4 rowY(0.0f, -slant.y / half.y, 1.0f / half.y, (slant.y * level - rect.centre.y) / half.y);
+    const vec4 rowZ(0.0f, -2.0f / range, 0.0f, (highest + lowest) / range);
+    View view;
+    view.clipFromView = glm::transpose(mat4(rowX, rowY, rowZ, vec4(0.0f, 0.0f, 0.0f, 1.0f)));
+    view.mirrored = true; // z of the world runs up the map
+    return view;
+}
+
 View sunView(const SunVolume& volume, SunLayer layer, std::size_t cascade, const vec3& toSun, const WaterBody& water,
              bool hasWater)
 {
     const float level = water.level;
-    const float slantX = toSun.x / toSun.y, slantZ = toSun.z / toSun.y;
-    const vec2 centre = volume.cascades.at(cascade).centre, half = volume.cascades.at(cascade).halfExtent;
-    // Rows of clipFromWorld: x - slant (y - level) and z likewise over the rectangle, heights from the top down.
-    const float range = volume.highest - volume.lowest;
-    const vec4 rowX(1.0f / half.x, -slantX / half.x, 0.0f, (slantX * level - centre.x) / half.x);
-    const vec4 rowY(0.0f, -slantZ / half.y, 1.0f / half.y, (slantZ * level - centre.y) / half.y);
-    const vec4 rowZ(0.0f, -2.0f / range, 0.0f, (volume.highest + volume.lowest) / range);
-    View view;
-    view.clipFromView = glm::transpose(mat4(rowX, rowY, rowZ, vec4(0.0f, 0.0f, 0.0f, 1.0f)));
-    view.eye = vec3(centre.x, level, centre.y) + 2.0f * (range + glm::length(half)) * toSun;
-    view.mirrored = true; // z of the world runs up the map
+    const LevelRect& rect = volume.cascades.at(cascade);
+    View view = parallelView(rect, volume.lowest, volume.highest, optics::sunSlant(toSun), level);
+    view.eye = vec3(rect.centre.x, level, rect.centre.y) +
+               2.0f * (volume.highest - volume.lowest + glm::length(rect.halfExtent)) * toSun;
     // The bed goes on a little above the level, so that the last photons before the shore find it there.
     constexpr float beach = 0.12f;
     if (hasWater)

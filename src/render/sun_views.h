@@ -41,6 +41,10 @@ enum class SunLayer { afloat, submerged };
 View sunView(const SunVolume& volume, SunLayer layer, std::size_t cascade, const vec3& toSun, const WaterBody& water,
              bool hasWater);
 
+/// A parallel projection onto a rectangle at a level, along what moves by `slant` sideways for each metre up. Depth 0 is
+/// at the highest height, 1 at the lowest; the map's rows run along +z.
+View parallelView(const LevelRect& rect, float lowest, float highest, vec2 slant, float level);
+
 /// What the caustics texture covers: the whole water when that is small, else a square about what the eye sees of it,
 /// whose size has steps of √2 and whose place has steps of a texel, so that texels and photons keep their place on the
 /// water while the eye moves.

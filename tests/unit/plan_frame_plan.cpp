@@ -46,12 +46,63 @@ void expectReasons(const FramePlan& plan)
 
 } // namespace
 
+// Seen from above a map takes the place of a target; an eye that looks from below keeps it.
+TEST(FramePlan, RaysThatAreMarchedNeedTheMapsAndNotTheTargets)
+{
+    Options options;
+    options.refraction.method = RefractionOptions::Method::raycast;
+    FramePlan plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
+    EXPECT_TRUE(plan[PassId::heights].wanted);
+    EXPECT_TRUE(plan.raycastsBed);
+    EXPECT_FALSE(plan.raycastsMirror);
+    EXPECT_FALSE(plan[PassId::refraction].wanted);
+    EXPECT_TRUE(plan[PassId::reflection].wanted);
+    expectReasons(plan);
+    options.reflection.method = ReflectionOptions::Method::raycast;
+    plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
+    EXPECT_TRUE(plan.raycastsMirror);
+    EXPECT_FALSE(plan[PassId::reflection].wanted);
+    plan = planFor(lake(), cameraAt({0, -1, 5}, {0, -1, 0}), options);
+    EXPECT_FALSE(plan[PassId::heights].wanted);
+    EXPECT_TRUE(plan[PassId::refraction].wanted);
+    EXPECT_TRUE(plan[PassId::reflection].wanted);
+    expectReasons(plan);
+    options.water.reflects = false;
+    EXPECT_FALSE(planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options).raycastsMirror);
+}
+
+// auto takes a map where it can hold what there is, and shows it as finely as the picture does.
+TEST(FramePlan, AutoTakesAMapWhereItCanKnow)
+{
+    Options options;
+    options.refraction.method = RefractionOptions::Method::automatic;
+    options.reflection.method = ReflectionOptions::Method::automatic;
+    options.heights.mapSize = 4096;
+    Scene scene;
+    scene.water = lake();
+    const auto plan = [&](const DepthComplexity* complexity) {
+        return planFrame(scene, scene.water, cameraAt({0, 9, 15}, {0, 0, 0}), options, {640, 480}, 0.0, complexity);
+    };
+    const DepthComplexity simple{0.001, 0.001}, ledges{0.2, 0.001}, crowns{0.001, 0.4};
+    EXPECT_TRUE(plan(&simple).raycastsBed);
+    EXPECT_TRUE(plan(&simple).raycastsMirror);
+    EXPECT_FALSE(plan(&ledges).raycastsBed);
+    EXPECT_TRUE(plan(&ledges).raycastsMirror);
+    EXPECT_NE(plan(&ledges)[PassId::refraction].reason.find("20.0 %"), std::string::npos);
+    EXPECT_FALSE(plan(&crowns).raycastsMirror);
+    EXPECT_FALSE(plan(nullptr).raycastsBed) << "nothing is known";
+    options.heights.mapSize = 128;
+    EXPECT_FALSE(plan(&simple).raycastsBed) << "a texel is a third of a metre";
+    EXPECT_NE(plan(&simple)[PassId::refraction].reason.find("a texel of the map"), std::string::npos);
+}
+
 TEST(FramePlan, WaterInViewNeedsEveryPass)
 {
     Options options;
     options.refraction.targetSize = 256;
     const FramePlan plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
-    for (const PassPlan& pass : plan.passes) EXPECT_TRUE(pass.wanted);
+    for (std::size_t i = 0; i < passCount; ++i)
+        EXPECT_EQ(plan.passes[i].wanted, static_cast<PassId>(i) != PassId::heights) << passName(static_cast<PassId>(i));
     EXPECT_FALSE(plan.underwater);
     EXPECT_EQ(plan[PassId::refraction].size, ivec2(256));
     EXPECT_EQ(plan[PassId::scene].size, ivec2(640, 480));

@@ -26,7 +26,44 @@ bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
 {
     const bool asPublished =
         inputs.underwater && options.underwater.refraction == UnderwaterOptions::Refraction::paper;
-    return inputs.reflection && !asPublished && options.reflection.method == ReflectionOptions::Method::iterative;
+    return inputs.reflection && !asPublished && options.reflection.method != ReflectionOptions::Method::distance;
+}
+
+void addBedDefines(gl::Defines& defines, const HeightsOptions& options, const WaterPass::Bed& bed)
+{
+    defines.emplace_back("RAYCAST", "1");
+    if (options.march == HeightsOptions::March::classic) {
+        if (options.filter == HeightsOptions::Filter::linear) defines.emplace_back("MARCH_LINEAR", "1");
+        defines.emplace_back("MARCH_REFINE", std::to_string(options.refine));
+    }
+    if (bed.lit.caustics) defines.emplace_back("CAUSTICS", "1");
+    if (!bed.lit.shadows) return;
+    defines.emplace_back("SHADOWS", "1");
+    defines.emplace_back("SHADOW_TAPS", std::to_string(bed.sun.taps));
+}
+
+void setBed(gl::Program& p, const WaterPass::Bed& bed)
+{
+    const HeightField& field = bed.map.field();
+    p.texture("bedHeights", bed.map.heights());
+    p.texture("bedRadiance", bed.map.radiance());
+    p.texture("bedResponse", bed.map.response());
+    p.set("bedRect", vec4(field.rect.centre, field.rect.halfExtent));
+    p.set("bedLowest", field.lowest);
+    if (bed.lit.caustics) p.texture("causticsMap", *bed.sun.caustics);
+    if (!bed.lit.shadows) return;
+    p.texture("afloatDepth", *bed.sun.afloat.front());
+    p.texture("submergedDepth", *bed.sun.submerged);
+}
+
+void setAfloat(gl::Program& p, const AfloatHeightsPass& afloat)
+{
+    using From = AfloatHeightsPass::From;
+    p.texture("afloatHeights", afloat.heights());
+    p.texture("afloatAbove", afloat.radiance(From::above));
+    p.texture("afloatBelow", afloat.radiance(From::below));
+    p.set("afloatRect", vec4(afloat.rect().centre, afloat.rect().halfExtent));
+    p.set("afloatRange", afloat.range());
 }
 
 bool showsPhong(const Options& options, const WaterPass::Inputs& inputs)
@@ -56,7 +93,11 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (inputs.refraction) defines.emplace_back("REFRACTION", "1");
     if (inputs.refraction && inputs.refractionView->flatWater) defines.emplace_back("FLAT_CAMERA", "1");
     if (inputs.reflection) defines.emplace_back("REFLECTION", "1");
-    if (options.refraction.method == RefractionOptions::Method::iterative) defines.emplace_back("ITERATIVE", "1");
+    if (options.refraction.method != RefractionOptions::Method::planar) defines.emplace_back("ITERATIVE", "1");
+    if (inputs.bed) addBedDefines(defines, options.heights, *inputs.bed);
+    if (inputs.afloat) defines.emplace_back("RAYCAST_REFLECTION", "1");
+    if ((inputs.bed || inputs.afloat) && options.heights.march == HeightsOptions::March::pyramid)
+        defines.emplace_back("PYRAMID", "1");
     if (options.water.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
     if (!options.water.reflects) defines.emplace_back("NO_REFLECTION", "1");
@@ -66,7 +107,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (readsFresnelTable(options, inputs))
         defines.emplace_back("FRESNEL_TABLE",
                              options.water.fresnelFilter == optics::TableFilter::linear ? "true" : "false");
-    if (inputs.refraction && fadesLinearly(options, inputs)) defines.emplace_back("LINEAR_ATTENUATION", "1");
+    if ((inputs.refraction || inputs.bed) && fadesLinearly(options, inputs)) defines.emplace_back("LINEAR_ATTENUATION", "1");
     if (showsPhong(options, inputs)) defines.emplace_back("PHONG", "1");
     if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
     if (!inputs.underwater && options.water.reflects && options.reflection.facets != ReflectionOptions::Facets::one)
@@ -84,6 +125,10 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
     gl::Program& p = program(options, inputs);
     p.use();
     p.texture("skyMap", inputs.skyMap);
+    if (inputs.bed) setBed(p, *inputs.bed);
+    if (inputs.afloat) setAfloat(p, *inputs.afloat);
+    if ((inputs.bed || inputs.afloat) && options.heights.march == HeightsOptions::March::classic)
+        p.set("marchUnit", options.heights.unit);
     if (inputs.waterline) p.texture("waterline", *inputs.waterline);
     if (options.water.fresnel == WaterOptions::Fresnel::schlick || inputs.underwater)
         p.set("schlickExponent", options.water.schlickExponent);
@@ -98,8 +143,9 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         p.set("worldFromRefractionView", glm::inverse(view.viewFromWorld));
         p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
         p.set("refractionSteps", options.refraction.steps);
-        if (fadesLinearly(options, inputs)) p.set("attenuationLength", options.water.attenuationLength);
     }
+    if ((inputs.refraction || inputs.bed) && fadesLinearly(options, inputs))
+        p.set("attenuationLength", options.water.attenuationLength);
     if (inputs.normalMap) inputs.normalMap.set(p);
     if (showsPhong(options, inputs)) {
         p.set("phongExponent", options.water.phongExponent);

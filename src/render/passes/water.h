@@ -6,12 +6,15 @@
 #include "plan/options.h"
 #include "render/fresnel_texture.h"
 #include "render/normal_map.h"
+#include "render/passes/heights.h"
+#include "render/passes/heights_afloat.h"
 #include "render/renderer.h"
 #include "render/view.h"
 #include "render/water_grid.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace tarn {
 
@@ -19,7 +22,16 @@ class WaterPass {
 public:
     explicit WaterPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
+    /// The bed's map of heights, and what lights the bed where a ray meets it.
+    struct Bed {
+        const HeightsPass& map;
+        const SunMaps& sun;
+        const PaintStyle& lit;
+    };
+
     struct Inputs {
+        std::optional<Bed> bed; ///< refraction.method = raycast, seen from above
+        const AfloatHeightsPass* afloat = nullptr; ///< reflection.method = raycast, seen from above
         const gl::Target* refraction = nullptr; ///< null: the water's own colour
         const View* refractionView = nullptr;
         const gl::Target* reflection = nullptr; ///< null: the sky

@@ -1,0 +1,123 @@
+// Follows a ray to what stands over the water, in the map of it. Needs shared/height_field.glsl; marchUnit: of the steps,
+// m.
+//
+// Seen straight from above and from below, what stands at a place is one piece, from its underside to its top: a bank is
+// solid down to the water, a deck is not. What is between two pieces, one over the other, is taken for solid.
+// PYRAMID: through the pyramid; else as Lipp does, who knows what is seen from below alone and takes it for solid down to
+// the water.
+
+uniform sampler2D afloatHeights; // r: underside, g: top, b: what is seen from below, m; level n: least and largest of those
+uniform vec4 afloatRect;         // what it covers: centre x, z and half extent x, z, m
+uniform vec2 afloatRange;        // lowest and highest of all, m
+
+const float afloatNothing = 1.0e4; // an underside over all: nothing stands there. Its negative: there is none
+
+struct AfloatHit {
+    vec3 point;    // world
+    float isFound; // 1 or 0
+    float isUnder; // 1 where it is the underside that is met
+};
+
+vec2 afloatTexel(vec2 xz)
+{
+    return (xz - afloatRect.xy + afloatRect.zw) * (0.5 / afloatRect.zw) * vec2(textureSize(afloatHeights, 0)) - 0.5;
+}
+
+#ifdef PYRAMID
+// Of four corners: their undersides, all solid where one of them is, and where nothing stands as low as the others are.
+vec4 cellUndersides(vec4 under)
+{
+    float least = min(min(under.x, under.y), min(under.z, under.w));
+    if (least < -0.5 * afloatNothing) return vec4(-afloatNothing);
+    return mix(under, vec4(least), step(0.5 * afloatNothing, under));
+}
+
+// Metres from the entry into a cell to where the ray is within what stands there, or -1.
+float cellCrossing(ivec2 cell, vec3 from, vec3 along, float within, out float isUnder)
+{
+    ivec2 last = textureSize(afloatHeights, 0) - 1;
+    ivec2 low = clamp(cell, ivec2(0), last), high = min(low + 1, last);
+    vec2 a = texelFetch(afloatHeights, low, 0).rg, b = texelFetch(afloatHeights, ivec2(high.x, low.y), 0).rg;
+    vec2 c = texelFetch(afloatHeights, ivec2(low.x, high.y), 0).rg, d = texelFetch(afloatHeights, high, 0).rg;
+    vec4 tops = vec4(a.y, b.y, c.y, d.y), under = cellUndersides(vec4(a.x, b.x, c.x, d.x));
+    isUnder = 0.0;
+    if (under.x > 0.5 * afloatNothing) return -1.0;
+    float overUnder = from.z - patchHeight(under, from.xy);
+    float t = patchCrossing(tops, from, along, within); // 0 where it is under the top already
+    if (t >= 0.0) {
+        vec3 met = from + t * along;
+        if (met.z >= patchHeight(under, met.xy)) return t;
+    }
+    if (overUnder >= 0.0) return -1.0;
+    // From below: the same patch upside down.
+    t = patchCrossing(-under, vec3(from.xy, -from.z), vec3(along.xy, -along.z), within);
+    isUnder = 1.0;
+    if (t < 0.0) return -1.0;
+    vec3 met = from + t * along;
+    return met.z <= patchHeight(tops, met.xy) ? t : -1.0;
+}
+
+AfloatHit findAfloat(vec3 from, vec3 direction)
+{
+    const int mostLooks = 200;
+    const int firstLevel = 4;
+    vec2 size = vec2(textureSize(afloatHeights, 0));
+    int top = int(log2(size.x) + 0.5);
+    vec3 start = vec3(afloatTexel(from.xz), from.y);
+    vec3 along = vec3(direction.xz * size * 0.5 / afloatRect.zw, direction.y);
+    vec2 safe = vec2(abs(along.x) < 1.0e-6 ? 1.0e-6 : along.x, abs(along.y) < 1.0e-6 ? 1.0e-6 : along.y);
+    float past = 1.0e-3 / max(max(abs(along.x), abs(along.y)), 1.0e-3);
+    float end = (afloatRange.y - start.z) / max(along.z, 1.0e-6);
+    float t = 0.0;
+    int level = firstLevel;
+    for (int i = 0; i < mostLooks && t < end; ++i) {
+        vec3 here = start + t * along;
+        if (any(lessThan(here.xy, vec2(-0.5))) || any(greaterThan(here.xy, size - 0.5))) break;
+        float edge = exp2(float(level));
+        vec2 block = floor(here.xy / edge);
+        vec2 exits = ((block + step(vec2(0.0), safe)) * edge - here.xy) / safe;
+        float within = max(min(min(exits.x, exits.y), end - t), 0.0);
+        if (level == 0) {
+            float isUnder;
+            float met = cellCrossing(ivec2(block), vec3(here.xy - block, here.z), along, within, isUnder);
+            if (met >= 0.0) return AfloatHit(from + (t + met) * direction, 1.0, isUnder);
+            t += within + past;
+            level = 1;
+            continue;
+        }
+        vec2 range = texelFetch(afloatHeights, max(ivec2(block), ivec2(0)), level).rg;
+        if (here.z > range.y || here.z + within * along.z < range.x) {
+            t += within + past;
+            level = min(level + 1, top);
+        } else {
+            --level;
+        }
+    }
+    return AfloatHit(from + t * direction, 0.0, 0.0);
+}
+#else
+float marchedAfloat(vec2 xz)
+{
+    ivec2 last = textureSize(afloatHeights, 0) - 1;
+    return texelFetch(afloatHeights, clamp(ivec2(floor(afloatTexel(xz) + 0.5)), ivec2(0), last), 0).b;
+}
+
+AfloatHit findAfloat(vec3 from, vec3 direction)
+{
+    const int mostSteps = 60; // Lipp
+    vec3 stride = direction * (marchUnit / reflectionStepsPerUnit(direction.y));
+    vec3 before = from, here = from;
+    float groundBefore = marchedAfloat(from.xz), ground = groundBefore;
+    float isFound = 0.0;
+    for (int i = 0; i < mostSteps && isFound < 0.5; ++i) {
+        before = here;
+        here += stride;
+        if (any(greaterThan(abs(here.xz - afloatRect.xy), afloatRect.zw)) || here.y > afloatRange.y) break;
+        groundBefore = ground;
+        ground = marchedAfloat(here.xz);
+        isFound = step(here.y, ground);
+    }
+    float share = crossingShare(before.y, groundBefore, here.y, ground);
+    return AfloatHit(mix(before, here, clamp(share, 0.0, 1.0)), isFound, 1.0);
+}
+#endif

@@ -1,0 +1,114 @@
+// Follows a ray to the ground of the map of heights. Needs shared/height_field.glsl; marchUnit: of the steps, m.
+// PYRAMID: through the pyramid of largest heights; else in Lipp's steps, MARCH_REFINE times halved at the end.
+
+uniform sampler2D bedHeights; // m, of the texels' centres; level n: the largest of 2^n + 1 by 2^n + 1 of them
+uniform vec4 bedRect;         // what it covers: centre x, z and half extent x, z, m
+uniform float bedLowest;      // where nothing lies, and under all that does, m
+
+struct GroundHit {
+    vec3 point; // world
+    bool isFound;
+};
+
+// In the map's own coordinates the centre of texel (i, j) is at (i, j).
+vec2 bedTexel(vec2 xz) { return (xz - bedRect.xy + bedRect.zw) * (0.5 / bedRect.zw) * vec2(textureSize(bedHeights, 0)) - 0.5; }
+
+vec4 bedCorners(ivec2 cell)
+{
+    ivec2 last = textureSize(bedHeights, 0) - 1;
+    ivec2 low = clamp(cell, ivec2(0), last), high = min(low + 1, last);
+    return vec4(texelFetch(bedHeights, low, 0).r, texelFetch(bedHeights, ivec2(high.x, low.y), 0).r,
+                texelFetch(bedHeights, ivec2(low.x, high.y), 0).r, texelFetch(bedHeights, high, 0).r);
+}
+
+// Between the heights of four texels.
+float bedHeight(vec2 xz)
+{
+    vec2 texel = bedTexel(xz);
+    vec2 cell = floor(texel);
+    return patchHeight(bedCorners(ivec2(cell)), texel - cell);
+}
+
+bool isOnMap(vec2 xz) { return all(lessThanEqual(abs(xz - bedRect.xy), bedRect.zw)); }
+
+#ifdef PYRAMID
+GroundHit findGround(vec3 from, vec3 direction)
+{
+    const int mostLooks = 200;  // more than a ray needs that crosses the whole map over waves of ground
+    const int firstLevel = 3;   // most rays end some texels from where they start
+    vec2 size = vec2(textureSize(bedHeights, 0));
+    int top = int(log2(size.x) + 0.5);
+    vec3 start = vec3(bedTexel(from.xz), from.y);
+    vec3 along = vec3(direction.xz * size * 0.5 / bedRect.zw, direction.y);
+    float fastest = max(max(abs(along.x), abs(along.y)), 1.0e-3);
+    vec2 safe = vec2(abs(along.x) < 1.0e-6 ? 1.0e-6 : along.x, abs(along.y) < 1.0e-6 ? 1.0e-6 : along.y);
+    float past = 1.0e-3 / fastest; // over the edge of a cell, whatever rounding does; what lies there is met at once
+    float end = (start.z - bedLowest) / max(-along.z, 1.0e-6);
+    float t = 0.0;
+    int level = firstLevel;
+    for (int i = 0; i < mostLooks && t < end; ++i) {
+        vec3 here = start + t * along;
+        if (any(lessThan(here.xy, vec2(-0.5))) || any(greaterThan(here.xy, size - 0.5))) break;
+        float edge = exp2(float(level));
+        vec2 block = floor(here.xy / edge);
+        vec2 exits = ((block + step(vec2(0.0), safe)) * edge - here.xy) / safe;
+        float within = max(min(min(exits.x, exits.y), end - t), 0.0);
+        if (level == 0) {
+            float met = patchCrossing(bedCorners(ivec2(block)), vec3(here.xy - block, here.z), along, within);
+            if (met >= 0.0) return GroundHit(from + (t + met) * direction, true);
+            t += within + past;
+            level = 1;
+            continue;
+        }
+        float highest = texelFetch(bedHeights, max(ivec2(block), ivec2(0)), level).r;
+        if (here.z + within * along.z > highest) {
+            t += within + past;
+            level = min(level + 1, top);
+        } else {
+            if (here.z > highest) t += (here.z - highest) / -along.z * 0.999;
+            --level;
+        }
+    }
+    return GroundHit(from + min(t, end) * direction, false);
+}
+#else
+float marchedHeight(vec2 xz)
+{
+#ifdef MARCH_LINEAR
+    return bedHeight(xz);
+#else
+    ivec2 last = textureSize(bedHeights, 0) - 1;
+    return texelFetch(bedHeights, clamp(ivec2(floor(bedTexel(xz) + 0.5)), ivec2(0), last), 0).r; // as published
+#endif
+}
+
+GroundHit findGround(vec3 from, vec3 direction)
+{
+    const int mostSteps = 40; // Lipp
+    vec3 stride = direction * (marchUnit / refractionStepsPerUnit(direction.y));
+    vec3 before = from, here = from;
+    float groundBefore = marchedHeight(from.xz), ground = groundBefore;
+    bool isFound = false;
+    for (int i = 0; i < mostSteps && !isFound; ++i) {
+        before = here;
+        groundBefore = ground;
+        here += stride;
+        ground = marchedHeight(here.xz);
+        isFound = ground > here.y;
+    }
+    for (int i = 0; i < MARCH_REFINE && isFound; ++i) {
+        vec3 middle = 0.5 * (before + here);
+        float groundThere = marchedHeight(middle.xz);
+        if (groundThere > middle.y) {
+            here = middle;
+            ground = groundThere;
+        } else {
+            before = middle;
+            groundBefore = groundThere;
+        }
+    }
+    isFound = isFound && isOnMap(here.xz) && ground > bedLowest;
+    float share = crossingShare(before.y, groundBefore, here.y, ground);
+    return GroundHit(mix(before, here, clamp(share, 0.0, 1.0)), isFound);
+}
+#endif

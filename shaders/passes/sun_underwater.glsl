@@ -1,0 +1,40 @@
+// The sun's light on a point under water. Needs blocks.glsl, refraction.glsl and, with SHADOWS or CAUSTICS,
+// sunlight.glsl and sun_maps.glsl.
+#ifdef CAUSTICS
+uniform sampler2D causticsMap;
+#endif
+
+// Irradiance on a surface that faces the refracted sun: what waves gather where the caustics texture knows it, and what a
+// flat surface lets through elsewhere. Photons carry the shadows of what stands over the water with them.
+// across, along: from this point to that of the next pixel, m.
+vec3 sunUnderwater(vec3 point, vec3 across, vec3 along)
+{
+    vec3 sun = sunBelow * beerLambert(absorption, (waterLevel - point.y) / max(sunDirectionBelow.y, 0.05));
+#if defined(SHADOWS) || defined(CAUSTICS)
+    vec2 slant = sunSlant(sunDirectionBelow);
+    vec2 plane = sunPlane(point, waterLevel, slant);
+#endif
+    float gathered = 0.0;
+#ifdef CAUSTICS
+    // No waves, and so no photons, beside the water's rectangle: what is lit from there sees a flat surface.
+    vec2 fromEdge = min(causticsRect.zw - abs(plane - causticsRect.xy), waterRect.zw - abs(plane - waterRect.xy));
+    float inside = min(fromEdge.x, fromEdge.y);
+    gathered = clamp(inside / max(causticsBorder.x, 2.0 * causticsBorder.y), 0.0, 1.0);
+#endif
+#ifdef SHADOWS
+    vec2 gradient = sunPlaneGradient(cross(across, along), slant);
+    float visible = sunVisibility(submergedDepth, sunRect, plane, point.y, gradient, sunBiases.x);
+    if (gathered < 1.0) sun *= sunVisibility(afloatDepth, sunRect, plane, point.y, gradient, sunBiases.x);
+#endif
+#ifdef CAUSTICS
+    // The texture holds light through a level area relative to the same above the water.
+    vec2 scale = 0.5 / causticsRect.zw;
+    vec3 light = textureGrad(causticsMap, (plane - causticsRect.xy) * scale + 0.5,
+                             sunPlane(across, 0.0, slant) * scale, sunPlane(along, 0.0, slant) * scale).rgb;
+    sun = mix(sun, light * sunIrradiance * (sunDirection.y / sunDirectionBelow.y), gathered);
+#endif
+#ifdef SHADOWS
+    sun *= visible;
+#endif
+    return sun;
+}

@@ -1,0 +1,28 @@
+// How a frame finds what the water shows where the method is auto: through a map of heights or in a target's depth.
+#pragma once
+
+#include "plan/depth_complexity.h"
+#include "plan/options.h"
+
+#include <string>
+
+namespace tarn {
+
+struct LookupChoice {
+    bool raycasts = false;
+    std::string why; ///< of auto, in words; empty where the method was named
+};
+
+/// auto marches rays through the bed's heights where the map can hold the bed and shows it as finely as the picture does
+/// where the water is nearest.
+/// @param size of the picture, pixels   @param complexity null: not known, and no map is relied on
+LookupChoice chooseRefraction(const Options& options, const WaterBody& water, const Camera& camera, ivec2 size,
+                              const DepthComplexity* complexity);
+
+/// auto marches mirrored rays where no two things stand one over the other.
+LookupChoice chooseReflection(const Options& options, const DepthComplexity* complexity);
+
+/// Whether a choice will ask for the complexity.
+bool wantsDepthComplexity(const Options& options);
+
+} // namespace tarn

@@ -1,0 +1,74 @@
+#include "render/passes/heights.h"
+
+#include "gl/state.h"
+#include "render/frame_light.h"
+
+namespace tarn {
+
+bool HeightsPass::isStale(const Inputs& inputs, const HeightsOptions& options) const
+{
+    return !drawn_ || !(drawn_->rect == inputs.rect) || drawn_->lowest != inputs.lowest ||
+           drawn_->highest != inputs.highest || drawn_->deepRadiance != inputs.deepRadiance ||
+           field_.edge != powerOfTwo(options.mapSize) || !sameLight(drawn_->light, inputs.light);
+}
+
+View HeightsPass::view(const Inputs& inputs, Part part)
+{
+    View view = parallelView(inputs.rect, inputs.lowest, inputs.highest, vec2(0.0f), inputs.highest);
+    view.eye = vec3(inputs.rect.centre.x, inputs.highest + 1000.0f, inputs.rect.centre.y);
+    view.clipPlane = part == Part::bed ? vec4(0.0f, -1.0f, 0.0f, inputs.highest) : vec4(0.0f, 1.0f, 0.0f, -inputs.highest);
+    return view;
+}
+
+void HeightsPass::drawBed(const View& view, ScenePainter& painter, const Inputs& inputs, const HeightsOptions& options,
+                       FrameStats::Pass& stats)
+{
+    const int edge = powerOfTwo(options.mapSize);
+    map_.ensure({.size = ivec2(edge),
+                 .colours = {gl::Format::rgba16f, gl::Format::rgba16f},
+                 .depth = gl::Format::depth32f,
+                 .mipmaps = true});
+    gl::apply({});
+    map_.bind();
+    map_.drawFramebuffer().clearColour(vec4(inputs.deepRadiance, 1.0f));
+    map_.drawFramebuffer().clearColour(vec4(0.0f), 1);
+    map_.drawFramebuffer().clearDepth();
+    PaintStyle style;
+    style.forMap = true;
+    style.sky = false;
+    painter.draw(view, style, WaterCover{}, inputs.cull, stats);
+    for (const int colour : {0, 1}) map_.colour(colour).generateMipmaps();
+
+}
+
+void HeightsPass::countSolid(const View& view, ScenePainter& painter, const HeightsOptions& options,
+                             FrameStats::Pass& stats)
+{
+    solid_.ensure({.size = ivec2(powerOfTwo(options.mapSize)), .colours = {gl::Format::r16f}, .filter = gl::Filter::nearest});
+    solid_.bind();
+    solid_.drawFramebuffer().clearColour(vec4(0.0f));
+    PaintStyle count;
+    count.countsFaces = true;
+    count.sky = false;
+    painter.draw(view, count, WaterCover{}, false, stats);
+}
+
+void HeightsPass::readHeights(const Inputs& inputs)
+{
+    field_ = {inputs.rect, map_.size().x, {}, inputs.lowest};
+    const std::vector<float> depths = map_.depth().readBack(), faces = solid_.colour().readBack();
+    for (std::size_t i = 0; i < depths.size(); ++i)
+        field_.heights.push_back(faces[i] > 0.5f ? inputs.highest
+                                                 : glm::mix(inputs.highest, inputs.lowest, depths[i]));
+    heights_ = gl::Texture({.format = gl::Format::r32f,
+                            .size = ivec2(field_.edge),
+                            .mipmaps = true,
+                            .filter = gl::Filter::nearest},
+                           "heights");
+    heights_.upload(field_.heights);
+    const std::vector<std::vector<float>> levels = largestHeights(field_);
+    for (std::size_t i = 0; i < levels.size(); ++i) heights_.upload(levels[i], 0, 0, static_cast<int>(i) + 1);
+    drawn_ = inputs;
+}
+
+} // namespace tarn

@@ -1,0 +1,115 @@
+#include "render/passes/heights_afloat.h"
+
+#include "gl/state.h"
+#include "render/frame_light.h"
+
+#include <algorithm>
+
+namespace tarn {
+
+namespace {
+
+constexpr float nothing = 1.0e4f; // as in afloat_march.glsl
+
+struct Column {
+    float underside = nothing, top = -nothing, seenFromBelow = -nothing, spare = 0.0f;
+};
+
+/// Least underside and largest top of 2^n + 1 by 2^n + 1 columns, from those of the level below or, for the first, from
+/// the columns themselves, which neighbouring blocks share.
+std::vector<Column> rangesOf(const std::vector<Column>& finer, int finerEdge, bool isFirst)
+{
+    const int edge = std::max(finerEdge / 2, 1), reach = isFirst ? 2 : 1;
+    std::vector<Column> level;
+    for (int j = 0; j < edge; ++j)
+        for (int i = 0; i < edge; ++i) {
+            Column range;
+            for (int y = 2 * j; y <= std::min(2 * j + reach, finerEdge - 1); ++y)
+                for (int x = 2 * i; x <= std::min(2 * i + reach, finerEdge - 1); ++x) {
+                    const Column& one =
+                        finer[static_cast<std::size_t>(y) * static_cast<std::size_t>(finerEdge) + static_cast<std::size_t>(x)];
+                    range.underside = std::min(range.underside, one.underside);
+                    range.top = std::max(range.top, one.top);
+                }
+            level.push_back(range);
+        }
+    return level;
+}
+
+std::span<const float> floatsOf(const std::vector<Column>& columns)
+{
+    static_assert(sizeof(Column) == 4 * sizeof(float));
+    return {&columns.front().underside, 4 * columns.size()};
+}
+
+} // namespace
+
+bool AfloatHeightsPass::isStale(const Inputs& inputs, const HeightsOptions& options) const
+{
+    return !drawn_ || !(drawn_->rect == inputs.rect) || drawn_->lowest != inputs.lowest ||
+           drawn_->highest != inputs.highest || drawn_->lit.shadows != inputs.lit.shadows ||
+           heights_.size().x != powerOfTwo(options.mapSize) || !sameLight(drawn_->light, inputs.light);
+}
+
+View AfloatHeightsPass::view(const Inputs& inputs, From from)
+{
+    View view = parallelView(inputs.rect, inputs.lowest, inputs.highest, vec2(0.0f), inputs.lowest);
+    const float away = 1000.0f;
+    view.eye = vec3(inputs.rect.centre.x, inputs.highest + away, inputs.rect.centre.y);
+    view.clipPlane = vec4(0.0f, 1.0f, 0.0f, -inputs.lowest);
+    if (from == From::above) return view;
+    // Depth the other way round, and with it what is in front and which way triangles turn.
+    view.eye.y = inputs.lowest - away;
+    view.clipFromView = glm::scale(mat4(1.0f), vec3(1.0f, 1.0f, -1.0f)) * view.clipFromView;
+    view.mirrored = false;
+    return view;
+}
+
+void AfloatHeightsPass::draw(From from, const View& view, ScenePainter& painter, const Inputs& inputs,
+                             const HeightsOptions& options, FrameStats::Pass& stats)
+{
+    gl::Target& target = from == From::above ? above_ : below_;
+    target.ensure({.size = ivec2(powerOfTwo(options.mapSize)),
+                   .colours = {gl::Format::rgba16f, gl::Format::rgba16f},
+                   .depth = gl::Format::depth32f,
+                   .mipmaps = true});
+    gl::apply({});
+    target.bind();
+    for (const int colour : {0, 1}) target.drawFramebuffer().clearColour(vec4(0.0f), colour);
+    target.drawFramebuffer().clearDepth();
+    PaintStyle style = inputs.lit;
+    style.caustics = false;
+    style.forMap = true;
+    style.bothSides = true; // a bank is seen from below through the ground
+    style.sky = false;
+    painter.draw(view, style, WaterCover{}, inputs.cull, stats);
+    target.colour().generateMipmaps();
+}
+
+void AfloatHeightsPass::readHeights(const Inputs& inputs)
+{
+    const std::vector<float> depthsAbove = above_.depth().readBack(), depthsBelow = below_.depth().readBack();
+    const std::vector<float> sides = below_.colour(1).readBack();
+    std::vector<Column> columns(depthsAbove.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const float side = sides[4 * i + 3]; // scene.frag: 1 a face's front, 1/2 its back, 0 nothing
+        if (side < 0.25f) continue;
+        columns[i].top = glm::mix(inputs.highest, inputs.lowest, depthsAbove[i]);
+        columns[i].seenFromBelow = glm::mix(inputs.lowest, inputs.highest, depthsBelow[i]);
+        columns[i].underside = side > 0.75f ? columns[i].seenFromBelow : -nothing;
+    }
+    const int edge = above_.size().x;
+    heights_ = gl::Texture(
+        {.format = gl::Format::rgba32f, .size = ivec2(edge), .mipmaps = true, .filter = gl::Filter::nearest},
+        "heights afloat");
+    heights_.upload(floatsOf(columns));
+    for (int level = 1; level < heights_.levels(); ++level) {
+        columns = rangesOf(columns, edge >> (level - 1), level == 1);
+        heights_.upload(floatsOf(columns), 0, 0, level);
+    }
+    rect_ = inputs.rect;
+    range_ = {inputs.lowest, inputs.highest};
+    drawn_ = inputs;
+}
+
+} // namespace tarn

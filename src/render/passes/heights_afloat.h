@@ -1,0 +1,50 @@
+// What stands over the water, seen straight from below and from above: heights and radiance. What a mirrored ray is
+// marched through when reflection.method is raycast; drawn again only when scene, sun or water change.
+#pragma once
+
+#include "gl/target.h"
+#include "gl/texture.h"
+#include "optics/blocks.h"
+#include "plan/options.h"
+#include "render/height_field.h"
+#include "render/scene_painter.h"
+
+#include <optional>
+
+namespace tarn {
+
+class AfloatHeightsPass {
+public:
+    struct Inputs {
+        LevelRect rect;
+        float lowest = 0.0f, highest = 0.0f; ///< world y; the lowest lies under the lowest trough
+        blocks::FrameBlock light{};          ///< as in HeightsPass
+        PaintStyle lit;                      ///< how the sun lights it: its maps are static, too
+        bool cull = true;
+    };
+
+    bool isStale(const Inputs& inputs, const HeightsOptions& options) const;
+
+    enum class From { above, below };
+    /// A view. Its ViewBlock must be bound for draw().
+    static View view(const Inputs& inputs, From from);
+    void draw(From from, const View& view, ScenePainter& painter, const Inputs& inputs, const HeightsOptions& options,
+              FrameStats::Pass& stats);
+    /// After both.
+    void readHeights(const Inputs& inputs);
+
+    /// rgba32f: underside, top and what is seen from below, m (shaders/passes/afloat_march.glsl); levels: the pyramid.
+    const gl::Texture& heights() const { return heights_; }
+    const gl::Texture& radiance(From from) const { return (from == From::above ? above_ : below_).colour(0); }
+    const LevelRect& rect() const { return rect_; }
+    vec2 range() const { return range_; } ///< lowest and highest, m
+
+private:
+    gl::Target above_{"heights from above"}, below_{"heights from below"};
+    gl::Texture heights_;
+    LevelRect rect_;
+    vec2 range_{0.0f};
+    std::optional<Inputs> drawn_;
+};
+
+} // namespace tarn

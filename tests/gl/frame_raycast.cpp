@@ -1,0 +1,320 @@
+// refraction.method = raycast: rays marched through the bed's heights, against formulas and against the other method.
+#include "studio.h"
+#include "test_scenes.h"
+
+#include "gl/shader_library.h"
+#include "optics/optics.h"
+#include "render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tarn::test {
+namespace {
+
+using glm::dvec3;
+
+constexpr ivec2 pictureSize(160, 120);
+constexpr double n = 1.33;
+
+Camera over(const vec3& eye, const vec3& target)
+{
+    Camera camera;
+    camera.name = "test";
+    camera.eye = eye;
+    camera.target = target;
+    camera.verticalFov = glm::radians(45.0f);
+    camera.farPlane = 300.0f;
+    return camera;
+}
+
+Options raycastOptions(HeightsOptions::March march = HeightsOptions::March::pyramid, int mapSize = 256)
+{
+    Options options;
+    options.refraction.method = RefractionOptions::Method::raycast;
+    options.heights.march = march;
+    options.heights.mapSize = mapSize;
+    options.glow.enabled = false;
+    return options;
+}
+
+/// Calls a function with U, the refracted direction in still water and the value of each pixel that shows water.
+template <typename Visit>
+int forWater(Studio& studio, const Camera& camera, DebugView view, const Visit& visit)
+{
+    const Image surface = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
+    const Image image = studio.linear(camera, pictureSize, 0.0, view);
+    int count = 0;
+    for (int y = 0; y < pictureSize.y; ++y)
+        for (int x = 0; x < pictureSize.x; ++x) {
+            const vec4 u = pixel(surface, x, y);
+            if (u.w == 0.0f) continue;
+            const dvec3 ray = glm::normalize(dvec3(u) - dvec3(camera.eye));
+            visit(dvec3(u), optics64::refractRay(ray, dvec3(0, 1, 0), 1.0 / n), pixel(image, x, y));
+            ++count;
+        }
+    return count;
+}
+
+TEST(Raycast, ALevelBedIsMetWhereSnellSays)
+{
+    constexpr float depth = 2.0f;
+    const Scene scene = flatLake(depth, 20.0f);
+    const Camera camera = over({0, 1.6f, 6}, {0, -1, 0});
+    for (const auto march : {HeightsOptions::March::pyramid, HeightsOptions::March::classic}) {
+        Studio studio(scene, raycastOptions(march));
+        for (const DebugView view : {DebugView::positionW, DebugView::positionA}) {
+            double worst = 0.0;
+            const int water = forWater(studio, camera, view, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+                const dvec3 hit = u - refracted * (depth / refracted.y);
+                if (std::max(std::abs(hit.x), std::abs(hit.z)) < 9.5) worst = std::max(worst, glm::distance(hit, dvec3(value)));
+            });
+            EXPECT_GT(water, pictureSize.x * pictureSize.y / 2);
+            EXPECT_LT(worst, 2.0e-3);
+        }
+        EXPECT_FALSE(studio.stats.plan[PassId::refraction].wanted);
+        EXPECT_TRUE(studio.stats.plan[PassId::heights].wanted);
+    }
+}
+
+TEST(Raycast, TheMapIsDrawnOnceForAllThatMoves)
+{
+    Scene scene = flatLake(2.0f, 20.0f);
+    scene.sun = Sun{};
+    scene.sun->direction = glm::normalize(vec3(0.3f, 1.0f, 0.2f));
+    Wave wave;
+    wave.amplitude = 0.05f;
+    wave.wavelength = 2.0f;
+    scene.water.waves = {wave};
+    Studio studio(scene, raycastOptions());
+    const auto trianglesOfMap = [&] {
+        for (const FrameStats::Pass& pass : studio.stats.passes)
+            if (std::string(pass.name) == "heights") return pass.triangles;
+        return std::size_t{0};
+    };
+    studio.linear(over({0, 1.6f, 6}, {0, -1, 0}), pictureSize, 0.0);
+    EXPECT_GT(trianglesOfMap(), 0u);
+    studio.linear(over({1, 2.6f, 4}, {0, -1, 0}), pictureSize, 0.7);
+    EXPECT_EQ(trianglesOfMap(), 0u) << "eye and waves moved";
+    WaterBody body = scene.water;
+    body.absorption *= 2.0f;
+    body.absorption += 0.1f;
+    studio.setOptions(raycastOptions(), body);
+    studio.linear(over({1, 2.6f, 4}, {0, -1, 0}), pictureSize, 0.7);
+    EXPECT_GT(trianglesOfMap(), 0u) << "the water is another";
+}
+
+/// Metres along a ray to a box, less `inset` on all sides; negative when it passes by.
+double toBox(const dvec3& from, const dvec3& direction, const vec3& lower, const vec3& upper, double inset)
+{
+    double near = 0.0, far = 1.0e9;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double a = (static_cast<double>(lower[axis]) + inset - from[axis]) / direction[axis];
+        const double b = (static_cast<double>(upper[axis]) - inset - from[axis]) / direction[axis];
+        near = std::max(near, std::min(a, b));
+        far = std::min(far, std::max(a, b));
+    }
+    return near <= far ? near : -1.0;
+}
+
+/// A pool with a post of a few centimetres that stands out of the water.
+struct Pool {
+    Scene scene = flatLake(1.0f, 4.0f);
+    vec3 lower{-0.02f, -1.0f, -0.02f}, upper{0.02f, 0.5f, 0.02f};
+    Camera camera = over({0, 1.2f, 2.2f}, {0, -0.6f, -0.3f});
+
+    Pool() { addBox(scene, lower, upper, addMaterial(scene, vec3(0.8f, 0.1f, 0.1f))); }
+
+    /// Of the rays that meet the post's middle: how many, and how many of them were found to end somewhere else.
+    std::pair<int, int> missed(Studio& studio) const
+    {
+        int meet = 0, pass = 0;
+        forWater(studio, camera, DebugView::positionW, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+            const double t = toBox(u, refracted, lower, upper, 0.008);
+            if (t < 0.0) return;
+            ++meet;
+            pass += glm::distance(u + t * refracted, dvec3(value)) > 0.1;
+        });
+        return {meet, pass};
+    }
+};
+
+TEST(Raycast, AThinPostIsNeverSteppedOver)
+{
+    const Pool pool;
+    Studio pyramid(pool.scene, raycastOptions(HeightsOptions::March::pyramid, 1024));
+    const auto [meet, pass] = pool.missed(pyramid);
+    EXPECT_GT(meet, 40);
+    EXPECT_EQ(pass, 0) << "of " << meet;
+    Studio classic(pool.scene, raycastOptions(HeightsOptions::March::classic, 1024));
+    const auto [meetToo, steppedOver] = pool.missed(classic);
+    EXPECT_GT(steppedOver, meetToo / 5) << "steps of 10 to 30 cm find a post of 4 cm by chance";
+}
+
+// The post is cut by the surface: its column is solid, though it has no top there.
+TEST(Raycast, WhatStandsOutOfTheWaterIsSolidToTheSurface)
+{
+    Pool pool;
+    pool.lower = vec3(-0.3f, -1.0f, -0.3f);
+    pool.upper = vec3(0.3f, 0.5f, 0.3f);
+    pool.scene = flatLake(1.0f, 4.0f);
+    addBox(pool.scene, pool.lower, pool.upper, addMaterial(pool.scene, vec3(0.8f, 0.1f, 0.1f)));
+    Studio studio(pool.scene, raycastOptions(HeightsOptions::March::pyramid, 512));
+    const auto [meet, pass] = pool.missed(studio);
+    EXPECT_GT(meet, 300);
+    EXPECT_EQ(pass, 0) << "of " << meet;
+}
+
+TEST(Raycast, HalvingTheStepFindsTheGroundMoreClosely)
+{
+    Scene scene = flatLake(1.0f, 8.0f);
+    addBox(scene, {-1, -1, -1}, {1, -0.4f, 1}, addMaterial(scene, vec3(0.5f)));
+    const Camera camera = over({0, 1.6f, 4}, {0, -1, 0});
+    Options options = raycastOptions(HeightsOptions::March::classic, 1024);
+    options.heights.filter = HeightsOptions::Filter::linear;
+    const auto meanError = [&](int refine) {
+        options.heights.refine = refine;
+        Studio studio(scene, options);
+        double sum = 0.0;
+        int count = 0;
+        forWater(studio, camera, DebugView::positionW, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+            const dvec3 onTop = u - refracted * (0.4 / refracted.y);
+            // On the top, not far behind the edge that steps come over: there the ground before a step was the bed.
+            if (std::abs(onTop.x) > 0.95 || onTop.z < 0.6 || onTop.z > 0.95) return;
+            sum += glm::distance(dvec3(value), onTop);
+            ++count;
+        });
+        EXPECT_GT(count, 500);
+        return sum / count;
+    };
+    const double published = meanError(0), refined = meanError(8);
+    EXPECT_LT(refined, 0.01);
+    EXPECT_LT(refined, 0.2 * published);
+}
+
+/// Largest and mean difference of two pictures relative to the mean of the second, over the pixels whose water is near.
+std::pair<double, double> difference(const Image& a, const Image& b)
+{
+    double worst = 0.0, sum = 0.0, mean = 0.0;
+    for (std::size_t i = 0; i < b.floats.size(); ++i) mean += static_cast<double>(b.floats[i]);
+    mean /= static_cast<double>(b.floats.size());
+    for (std::size_t i = 0; i < b.floats.size(); ++i) {
+        const double d = std::abs(static_cast<double>(a.floats[i]) - static_cast<double>(b.floats[i])) / mean;
+        worst = std::max(worst, d);
+        sum += d;
+    }
+    return {worst, sum / static_cast<double>(b.floats.size())};
+}
+
+// Sky, sun, caustics and shadows reach the bed as they do in the refraction target.
+TEST(Raycast, LightsTheBedAsTheOtherMethodDoes)
+{
+    Scene scene = flatLake(1.0f, 8.0f);
+    scene.sun = Sun{};
+    scene.sun->direction = glm::normalize(vec3(0.4f, 1.0f, 0.3f));
+    scene.sun->irradiance = vec3(3.0f, 2.5f, 2.0f);
+    scene.water.absorption = vec3(0.4f, 0.2f, 0.1f);
+    addBox(scene, {-0.4f, 0.4f, -0.4f}, {0.4f, 0.6f, 0.4f}, addMaterial(scene, vec3(0.5f))); // over the water: a shadow
+    const Camera camera = over({0.0f, 3.0f, 2.5f}, {0, -1, -0.4f});
+    for (const bool caustics : {false, true}) {
+        Options options = raycastOptions(HeightsOptions::March::pyramid, 512);
+        options.caustics.enabled = caustics;
+        options.caustics.filter = 1;
+        Options other = options;
+        other.refraction.method = RefractionOptions::Method::iterative;
+        other.refraction.steps = 8;
+        Studio a(scene, options), b(scene, other);
+        const auto [worst, mean] = difference(a.linear(camera, pictureSize), b.linear(camera, pictureSize));
+        EXPECT_LT(mean, 0.01) << caustics;
+        EXPECT_LT(worst, 1.0) << caustics << ": edges of the shadow may differ, patches may not";
+    }
+}
+
+Options mirrorOptions(HeightsOptions::March march = HeightsOptions::March::pyramid, int mapSize = 512)
+{
+    Options options = raycastOptions(march, mapSize);
+    options.refraction.method = RefractionOptions::Method::iterative;
+    options.reflection.method = ReflectionOptions::Method::raycast;
+    return options;
+}
+
+/// Of the mirrored rays that plainly meet a box and those that plainly pass it: how many are found otherwise.
+struct MirrorCount {
+    int meet = 0, pass = 0, missed = 0, invented = 0;
+};
+
+MirrorCount countMirrored(Studio& studio, const Camera& camera, const vec3& lower, const vec3& upper, double inset)
+{
+    MirrorCount count;
+    const Image surface = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
+    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
+    for (int y = 0; y < pictureSize.y; ++y)
+        for (int x = 0; x < pictureSize.x; ++x) {
+            const vec4 u = pixel(surface, x, y), found = pixel(image, x, y);
+            if (u.w == 0.0f) continue;
+            dvec3 ray = glm::normalize(dvec3(u) - dvec3(camera.eye));
+            ray.y = -ray.y;
+            const double t = toBox(dvec3(u), ray, lower, upper, inset);
+            if (t >= 0.0) {
+                ++count.meet;
+                count.missed += found.w > 1.5f || glm::distance(dvec3(u) + t * ray, dvec3(found)) > 6.0 * inset;
+            } else if (toBox(dvec3(u), ray, lower, upper, -2.0 * inset) < 0.0) {
+                ++count.pass;
+                count.invented += found.w < 1.5f;
+            }
+        }
+    return count;
+}
+
+TEST(RaycastMirror, APostIsMirroredWhereItStands)
+{
+    Scene scene = flatLake(1.0f, 8.0f);
+    const vec3 lower(-0.25f, -0.5f, -1.25f), upper(0.25f, 1.5f, -0.75f);
+    addBox(scene, lower, upper, addMaterial(scene, vec3(0.8f, 0.1f, 0.1f)));
+    const Camera camera = over({0.3f, 1.4f, 3.5f}, {0, -0.3f, 0});
+    Studio studio(scene, mirrorOptions());
+    const MirrorCount count = countMirrored(studio, camera, lower, upper, 0.03);
+    EXPECT_GT(count.meet, 300);
+    EXPECT_GT(count.pass, 3000);
+    EXPECT_LE(count.missed, count.meet / 50) << "edges are a texel wide";
+    EXPECT_EQ(count.invented, 0);
+    EXPECT_FALSE(studio.stats.plan[PassId::reflection].wanted);
+}
+
+// A deck is met from below, and rays that pass under it go on; as published it is solid down to the water.
+TEST(RaycastMirror, ADeckHasAnUnderside)
+{
+    Scene scene = flatLake(1.0f, 8.0f);
+    const vec3 lower(-1.0f, 0.6f, -2.0f), upper(1.0f, 0.7f, 0.0f);
+    addBox(scene, lower, upper, addMaterial(scene, vec3(0.8f, 0.1f, 0.1f)));
+    const Camera camera = over({0.3f, 1.0f, 3.5f}, {0, -0.1f, 0});
+    Studio pyramid(scene, mirrorOptions());
+    const MirrorCount count = countMirrored(pyramid, camera, lower, upper, 0.03);
+    EXPECT_GT(count.meet, 500);
+    EXPECT_GT(count.pass, 3000);
+    EXPECT_EQ(count.missed, 0);
+    EXPECT_EQ(count.invented, 0);
+    Studio classic(scene, mirrorOptions(HeightsOptions::March::classic));
+    EXPECT_GT(countMirrored(classic, camera, lower, upper, 0.03).invented, 200);
+}
+
+// A sky of one colour, an emissive box: what is mirrored is the one or the other.
+TEST(RaycastMirror, ShowsWhatIsMet)
+{
+    Scene scene = flatLake(1.0f, 8.0f);
+    const int red = addMaterial(scene, vec3(0.0f));
+    scene.materials[static_cast<std::size_t>(red)].emissive = vec3(3.0f, 0.0f, 0.0f);
+    addBox(scene, {-1, 0.0f, -2}, {1, 2, -1}, red);
+    const Camera camera = over({0, 1.0f, 3.0f}, {0, 0, 0});
+    Options other = mirrorOptions();
+    other.reflection.method = ReflectionOptions::Method::iterative;
+    other.reflection.targetSize = 1024;
+    Studio a(scene, mirrorOptions()), b(scene, other);
+    const auto [worst, mean] = difference(a.linear(camera, pictureSize), b.linear(camera, pictureSize));
+    EXPECT_LT(mean, 0.01);
+}
+
+} // namespace
+} // namespace tarn::test
