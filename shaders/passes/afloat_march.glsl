@@ -1,5 +1,5 @@
-// Follows a ray to what stands over the water, in the map of it. Needs shared/height_field.glsl; marchUnit: of the steps,
-// m.
+// Follows a ray to what stands over the water, in the map of it. Needs shared/height_field.glsl
+// and height_pyramid.glsl; marchUnit: of the steps, m.
 //
 // Seen straight from above and from below, what stands at a place is one piece, from its underside to its top: a bank is
 // solid down to the water, a deck is not. What is between two pieces, one over the other, is taken for solid.
@@ -18,10 +18,7 @@ struct AfloatHit {
     float isUnder; // 1 where it is the underside that is met
 };
 
-vec2 afloatTexel(vec2 xz)
-{
-    return (xz - afloatRect.xy + afloatRect.zw) * (0.5 / afloatRect.zw) * vec2(textureSize(afloatHeights, 0)) - 0.5;
-}
+vec2 afloatTexel(vec2 xz) { return mapTexel(xz, afloatRect, textureSize(afloatHeights, 0)); }
 
 #ifdef PYRAMID
 // Of four corners: their undersides, all solid where one of them is, and where nothing stands as low as the others are.
@@ -59,36 +56,27 @@ float cellCrossing(ivec2 cell, vec3 from, vec3 along, float within, out float is
 
 AfloatHit findAfloat(vec3 from, vec3 direction)
 {
-    const int mostLooks = 200;
-    const int firstLevel = 4;
-    vec2 size = vec2(textureSize(afloatHeights, 0));
-    int top = int(log2(size.x) + 0.5);
-    vec3 start = vec3(afloatTexel(from.xz), from.y);
-    vec3 along = vec3(direction.xz * size * 0.5 / afloatRect.zw, direction.y);
-    vec2 safe = vec2(abs(along.x) < 1.0e-6 ? 1.0e-6 : along.x, abs(along.y) < 1.0e-6 ? 1.0e-6 : along.y);
-    float past = 1.0e-3 / max(max(abs(along.x), abs(along.y)), 1.0e-3);
-    float end = (afloatRange.y - start.z) / max(along.z, 1.0e-6);
+    const int firstLevel = 4; // what is mirrored stands farther off than the bed
+    PyramidRay ray = pyramidRay(from, direction, afloatRect, textureSize(afloatHeights, 0));
+    float end = (afloatRange.y - from.y) / max(direction.y, 1.0e-6);
     float t = 0.0;
     int level = firstLevel;
     for (int i = 0; i < mostLooks && t < end; ++i) {
-        vec3 here = start + t * along;
-        if (any(lessThan(here.xy, vec2(-0.5))) || any(greaterThan(here.xy, size - 0.5))) break;
-        float edge = exp2(float(level));
-        vec2 block = floor(here.xy / edge);
-        vec2 exits = ((block + step(vec2(0.0), safe)) * edge - here.xy) / safe;
-        float within = max(min(min(exits.x, exits.y), end - t), 0.0);
+        PyramidBlock block = pyramidBlock(ray, t, level, end);
+        if (!block.isOnMap) break;
         if (level == 0) {
             float isUnder;
-            float met = cellCrossing(ivec2(block), vec3(here.xy - block, here.z), along, within, isUnder);
+            vec3 inCell = vec3(block.here.xy - block.corner, block.here.z);
+            float met = cellCrossing(ivec2(block.corner), inCell, ray.along, block.within, isUnder);
             if (met >= 0.0) return AfloatHit(from + (t + met) * direction, 1.0, isUnder);
-            t += within + past;
+            t += block.within + ray.past;
             level = 1;
             continue;
         }
-        vec2 range = texelFetch(afloatHeights, max(ivec2(block), ivec2(0)), level).rg;
-        if (here.z > range.y || here.z + within * along.z < range.x) {
-            t += within + past;
-            level = min(level + 1, top);
+        vec2 range = texelFetch(afloatHeights, max(ivec2(block.corner), ivec2(0)), level).rg;
+        if (block.here.z > range.y || block.here.z + block.within * ray.along.z < range.x) {
+            t += block.within + ray.past;
+            level = min(level + 1, ray.top);
         } else {
             --level;
         }

@@ -1,4 +1,5 @@
-// Follows a ray to the ground of the map of heights. Needs shared/height_field.glsl; marchUnit: of the steps, m.
+// Follows a ray to the ground of the map of heights. Needs shared/height_field.glsl and
+// height_pyramid.glsl; marchUnit: of the steps, m.
 // PYRAMID: through the pyramid of largest heights; else in Lipp's steps, MARCH_REFINE times halved at the end.
 
 uniform sampler2D bedHeights; // m, of the texels' centres; level n: the largest of 2^n + 1 by 2^n + 1 of them
@@ -10,8 +11,7 @@ struct GroundHit {
     bool isFound;
 };
 
-// In the map's own coordinates the centre of texel (i, j) is at (i, j).
-vec2 bedTexel(vec2 xz) { return (xz - bedRect.xy + bedRect.zw) * (0.5 / bedRect.zw) * vec2(textureSize(bedHeights, 0)) - 0.5; }
+vec2 bedTexel(vec2 xz) { return mapTexel(xz, bedRect, textureSize(bedHeights, 0)); }
 
 vec4 bedCorners(ivec2 cell)
 {
@@ -34,38 +34,28 @@ bool isOnMap(vec2 xz) { return all(lessThanEqual(abs(xz - bedRect.xy), bedRect.z
 #ifdef PYRAMID
 GroundHit findGround(vec3 from, vec3 direction)
 {
-    const int mostLooks = 200;  // more than a ray needs that crosses the whole map over waves of ground
-    const int firstLevel = 3;   // most rays end some texels from where they start
-    vec2 size = vec2(textureSize(bedHeights, 0));
-    int top = int(log2(size.x) + 0.5);
-    vec3 start = vec3(bedTexel(from.xz), from.y);
-    vec3 along = vec3(direction.xz * size * 0.5 / bedRect.zw, direction.y);
-    float fastest = max(max(abs(along.x), abs(along.y)), 1.0e-3);
-    vec2 safe = vec2(abs(along.x) < 1.0e-6 ? 1.0e-6 : along.x, abs(along.y) < 1.0e-6 ? 1.0e-6 : along.y);
-    float past = 1.0e-3 / fastest; // over the edge of a cell, whatever rounding does; what lies there is met at once
-    float end = (start.z - bedLowest) / max(-along.z, 1.0e-6);
+    const int firstLevel = 3; // most rays end some texels from where they start
+    PyramidRay ray = pyramidRay(from, direction, bedRect, textureSize(bedHeights, 0));
+    float end = (from.y - bedLowest) / max(-direction.y, 1.0e-6);
     float t = 0.0;
     int level = firstLevel;
     for (int i = 0; i < mostLooks && t < end; ++i) {
-        vec3 here = start + t * along;
-        if (any(lessThan(here.xy, vec2(-0.5))) || any(greaterThan(here.xy, size - 0.5))) break;
-        float edge = exp2(float(level));
-        vec2 block = floor(here.xy / edge);
-        vec2 exits = ((block + step(vec2(0.0), safe)) * edge - here.xy) / safe;
-        float within = max(min(min(exits.x, exits.y), end - t), 0.0);
+        PyramidBlock block = pyramidBlock(ray, t, level, end);
+        if (!block.isOnMap) break;
         if (level == 0) {
-            float met = patchCrossing(bedCorners(ivec2(block)), vec3(here.xy - block, here.z), along, within);
+            vec3 inCell = vec3(block.here.xy - block.corner, block.here.z);
+            float met = patchCrossing(bedCorners(ivec2(block.corner)), inCell, ray.along, block.within);
             if (met >= 0.0) return GroundHit(from + (t + met) * direction, true);
-            t += within + past;
+            t += block.within + ray.past;
             level = 1;
             continue;
         }
-        float highest = texelFetch(bedHeights, max(ivec2(block), ivec2(0)), level).r;
-        if (here.z + within * along.z > highest) {
-            t += within + past;
-            level = min(level + 1, top);
+        float highest = texelFetch(bedHeights, max(ivec2(block.corner), ivec2(0)), level).r;
+        if (block.here.z + block.within * ray.along.z > highest) {
+            t += block.within + ray.past;
+            level = min(level + 1, ray.top);
         } else {
-            if (here.z > highest) t += (here.z - highest) / -along.z * 0.999;
+            if (block.here.z > highest) t += (block.here.z - highest) / -ray.along.z * 0.999;
             --level;
         }
     }

@@ -41,13 +41,16 @@ std::string infoLog(Name name, GetParameter getParameter, GetLog getLog)
     return log;
 }
 
-/// The first complaint, which is the cause of most others; the rest goes to the debug log.
+/// The first error, which is the cause of most others; warnings before it and the rest go to the debug log.
 std::string firstComplaint(const std::string& log)
 {
     if (log.find('\n') == std::string::npos) return log.empty() ? "the driver gives no reason" : log;
     log::debug("{}", log);
     const auto others = std::count(log.begin(), log.end(), '\n');
-    return fmt::format("{} (and {} more line{})", log.substr(0, log.find('\n')), others,
+    const std::size_t error = log.find("error");
+    const std::size_t before = error == std::string::npos ? error : log.rfind('\n', error);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    return fmt::format("{} (and {} more line{})", log.substr(begin, log.find('\n', begin) - begin), others,
                        others == 1 ? "" : "s");
 }
 

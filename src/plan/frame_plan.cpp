@@ -240,7 +240,8 @@ void planWaterLookups(FramePlan& plan, const Options& options, const LookupChoic
                                                "water changed"
                                              : "mirrored rays are marched through what stands over the water; drawn when "
                                                "scene, sun or water changed",
-                          ivec2(options.heights.mapSize), "sunlight")
+                          ivec2(options.heights.mapSize),
+                          plan.raycastsMirror && plan[PassId::sunlight].wanted ? "sunlight" : "")
                  : unwanted("no ray is marched: neither method takes a map, or the eye is under water");
     const auto explain = [&](PassId pass, const LookupChoice& choice) {
         if (fromAbove && !choice.why.empty()) plan[pass].reason += " (" + choice.why + ")";

@@ -53,50 +53,13 @@ float HeightField::texel() const
     return 2.0f * std::max(rect.halfExtent.x, rect.halfExtent.y) / static_cast<float>(edge);
 }
 
-namespace {
-
-/// Level 1: over 3 by 3 centres, those that two cells in each direction share.
-std::vector<float> largestOfCells(const HeightField& field)
-{
-    const int edge = std::max(field.edge / 2, 1);
-    std::vector<float> level;
-    level.reserve(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge));
-    for (int j = 0; j < edge; ++j)
-        for (int i = 0; i < edge; ++i) {
-            float most = field.lowest;
-            for (int y = 2 * j; y <= std::min(2 * j + 2, field.edge - 1); ++y)
-                for (int x = 2 * i; x <= std::min(2 * i + 2, field.edge - 1); ++x)
-                    most = std::max(most, field.heights[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.edge) +
-                                                        static_cast<std::size_t>(x)]);
-            level.push_back(most);
-        }
-    return level;
-}
-
-std::vector<float> largestOfFour(const std::vector<float>& finer, int finerEdge)
-{
-    const auto edge = static_cast<std::size_t>(finerEdge / 2), row = static_cast<std::size_t>(finerEdge);
-    std::vector<float> level;
-    level.reserve(edge * edge);
-    for (std::size_t j = 0; j < edge; ++j)
-        for (std::size_t i = 0; i < edge; ++i) {
-            const float* corner = &finer[2 * j * row + 2 * i];
-            level.push_back(std::max({corner[0], corner[1], corner[row], corner[row + 1]}));
-        }
-    return level;
-}
-
-} // namespace
-
 std::vector<std::vector<float>> largestHeights(const HeightField& field)
 {
+    const auto larger = [](float& most, float height) { most = std::max(most, height); };
     std::vector<std::vector<float>> levels;
-    if (field.edge < 2) return levels;
-    levels.push_back(largestOfCells(field));
-    for (int edge = field.edge / 2; edge > 1; edge /= 2) {
-        std::vector<float> coarser = largestOfFour(levels.back(), edge);
-        levels.push_back(std::move(coarser));
-    }
+    for (int edge = field.edge; edge > 1; edge /= 2)
+        levels.push_back(levels.empty() ? coarserLevel(field.heights, edge, true, field.lowest, larger)
+                                        : coarserLevel(levels.back(), edge, false, field.lowest, larger));
     return levels;
 }
 

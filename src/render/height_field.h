@@ -26,6 +26,27 @@ struct HeightField {
 /// corners of its cells, which no patch within it exceeds (maximum mipmaps, Tevs et al. 2008). The last is a single block.
 std::vector<std::vector<float>> largestHeights(const HeightField& field);
 
+/// A coarser level of a pyramid over a square map: each block joined of the texels that it covers, two by two of the finer
+/// level, or three by three of the map's own centres, which neighbouring blocks share.
+/// @param join called with the block, which begins as `empty`, and each of its texels
+template <typename Texel, typename Join>
+std::vector<Texel> coarserLevel(const std::vector<Texel>& finer, int finerEdge, bool ofCentres, const Texel& empty,
+                                const Join& join)
+{
+    const int edge = finerEdge > 1 ? finerEdge / 2 : 1, reach = ofCentres ? 2 : 1;
+    std::vector<Texel> level;
+    for (int j = 0; j < edge; ++j)
+        for (int i = 0; i < edge; ++i) {
+            Texel block = empty;
+            for (int y = 2 * j; y <= 2 * j + reach && y < finerEdge; ++y)
+                for (int x = 2 * i; x <= 2 * i + reach && x < finerEdge; ++x)
+                    join(block, finer[static_cast<std::size_t>(y) * static_cast<std::size_t>(finerEdge) +
+                                      static_cast<std::size_t>(x)]);
+            level.push_back(block);
+        }
+    return level;
+}
+
 /// The least power of two that is not under `texels`.
 int powerOfTwo(int texels);
 

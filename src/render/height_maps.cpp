@@ -15,7 +15,6 @@ HeightsPass::Inputs bedInputs(const HeightMaps::Inputs& frame)
     inputs.rect = {water.centre, 0.5f * water.extent + vec2(frame.options.heights.border)};
     inputs.lowest = frame.volume.lowest;
     inputs.highest = water.level + std::max(frame.options.refraction.clipOffset, totalAmplitude(water));
-    inputs.deepRadiance = frame.light.deepRadiance;
     inputs.light = lastingLight(frame.light);
     inputs.cull = frame.options.frame.cullChunks;
     return inputs;

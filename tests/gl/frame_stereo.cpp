@@ -24,16 +24,6 @@ using glm::dvec3;
 
 constexpr ivec2 eyeSize(96, 72);
 
-struct Stage {
-    explicit Stage(const Scene& scene, const Options& options)
-        : shaders(makeShaderLibrary()), renderer(scene, options, *shaders, profiler)
-    {
-    }
-    std::unique_ptr<gl::ShaderLibrary> shaders;
-    gl::Profiler profiler;
-    Renderer renderer;
-};
-
 /// Boxes in the air and in a wavy, sunlit lake: every pass has something to do.
 Scene livelyLake()
 {

@@ -58,16 +58,6 @@ reference::Picture exactPicture(const Camera& camera, double light)
     return truth;
 }
 
-struct Stage {
-    explicit Stage(const Scene& scene, const Options& options)
-        : shaders(makeShaderLibrary()), renderer(scene, options, *shaders, profiler)
-    {
-    }
-    std::unique_ptr<gl::ShaderLibrary> shaders;
-    gl::Profiler profiler;
-    Renderer renderer;
-};
-
 } // namespace
 
 TEST(Quantities, OfStillWaterAreTheFormulas)

@@ -10,6 +10,17 @@
 
 namespace tarn::test {
 
+/// A renderer and what it needs, for tests that ask it themselves. The scene must outlive it.
+struct Stage {
+    explicit Stage(const Scene& scene, const Options& options)
+        : shaders(makeShaderLibrary()), renderer(scene, options, *shaders, profiler)
+    {
+    }
+    std::unique_ptr<gl::ShaderLibrary> shaders;
+    gl::Profiler profiler;
+    Renderer renderer;
+};
+
 class Studio {
 public:
     /// The scene must outlive it.

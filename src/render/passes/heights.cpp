@@ -8,7 +8,7 @@ namespace tarn {
 bool HeightsPass::isStale(const Inputs& inputs, const HeightsOptions& options) const
 {
     return !drawn_ || !(drawn_->rect == inputs.rect) || drawn_->lowest != inputs.lowest ||
-           drawn_->highest != inputs.highest || drawn_->deepRadiance != inputs.deepRadiance ||
+           drawn_->highest != inputs.highest ||
            field_.edge != powerOfTwo(options.mapSize) || !sameLight(drawn_->light, inputs.light);
 }
 
@@ -30,7 +30,7 @@ void HeightsPass::drawBed(const View& view, ScenePainter& painter, const Inputs&
                  .mipmaps = true});
     gl::apply({});
     map_.bind();
-    map_.drawFramebuffer().clearColour(vec4(inputs.deepRadiance, 1.0f));
+    map_.drawFramebuffer().clearColour(vec4(inputs.light.deepRadiance, 1.0f));
     map_.drawFramebuffer().clearColour(vec4(0.0f), 1);
     map_.drawFramebuffer().clearDepth();
     PaintStyle style;
@@ -38,7 +38,6 @@ void HeightsPass::drawBed(const View& view, ScenePainter& painter, const Inputs&
     style.sky = false;
     painter.draw(view, style, WaterCover{}, inputs.cull, stats);
     for (const int colour : {0, 1}) map_.colour(colour).generateMipmaps();
-
 }
 
 void HeightsPass::countSolid(const View& view, ScenePainter& painter, const HeightsOptions& options,

@@ -22,7 +22,6 @@ public:
         LevelRect rect;
         float lowest = 0.0f; ///< of the scene, world y
         float highest = 0.0f; ///< where the bed is cut: over the highest wave
-        vec3 deepRadiance{0.0f};
         blocks::FrameBlock light{}; ///< lastingLight() of the frame's
         bool cull = true;
     };

@@ -15,25 +15,10 @@ struct Column {
     float underside = nothing, top = -nothing, seenFromBelow = -nothing, spare = 0.0f;
 };
 
-/// Least underside and largest top of 2^n + 1 by 2^n + 1 columns, from those of the level below or, for the first, from
-/// the columns themselves, which neighbouring blocks share.
-std::vector<Column> rangesOf(const std::vector<Column>& finer, int finerEdge, bool isFirst)
+void widen(Column& range, const Column& one)
 {
-    const int edge = std::max(finerEdge / 2, 1), reach = isFirst ? 2 : 1;
-    std::vector<Column> level;
-    for (int j = 0; j < edge; ++j)
-        for (int i = 0; i < edge; ++i) {
-            Column range;
-            for (int y = 2 * j; y <= std::min(2 * j + reach, finerEdge - 1); ++y)
-                for (int x = 2 * i; x <= std::min(2 * i + reach, finerEdge - 1); ++x) {
-                    const Column& one =
-                        finer[static_cast<std::size_t>(y) * static_cast<std::size_t>(finerEdge) + static_cast<std::size_t>(x)];
-                    range.underside = std::min(range.underside, one.underside);
-                    range.top = std::max(range.top, one.top);
-                }
-            level.push_back(range);
-        }
-    return level;
+    range.underside = std::min(range.underside, one.underside);
+    range.top = std::max(range.top, one.top);
 }
 
 std::span<const float> floatsOf(const std::vector<Column>& columns)
@@ -104,7 +89,7 @@ void AfloatHeightsPass::readHeights(const Inputs& inputs)
         "heights afloat");
     heights_.upload(floatsOf(columns));
     for (int level = 1; level < heights_.levels(); ++level) {
-        columns = rangesOf(columns, edge >> (level - 1), level == 1);
+        columns = coarserLevel(columns, edge >> (level - 1), level == 1, Column{}, widen);
         heights_.upload(floatsOf(columns), 0, 0, level);
     }
     rect_ = inputs.rect;
