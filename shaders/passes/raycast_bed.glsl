@@ -1,4 +1,5 @@
-// The bed by rays marched through its heights (Lipp), for water.frag: needs struct Transmitted and letThrough().
+// The bed by rays marched through its heights (Lipp), for water.frag: needs struct Transmitted and letThrough(); where
+// there is a refraction target too, target_bed.glsl.
 #if defined(SHADOWS) || defined(CAUSTICS)
 #include "shared/sunlight.glsl"
 #endif
@@ -11,21 +12,64 @@
 uniform sampler2D bedRadiance; // of the bed seen from above, without the sun
 uniform sampler2D bedResponse; // radiance for each unit of the sun's irradiance on a surface that faces it
 
-// Lipp: the ray is marched through the bed's heights. What it meets is lit here, so that the map need not follow the waves.
-Transmitted lookupBed(vec3 refracted, out bool isFound)
+// Radiance of the ground at a point of the map. It is lit here, so that the map need not follow the waves.
+// across, along: how the point changes from pixel to pixel.
+vec3 groundRadiance(GroundHit ground, vec3 across, vec3 along)
+{
+    if (!ground.isFound) return deepRadiance;
+    vec2 place = (ground.point.xz - bedRect.xy) * (0.5 / bedRect.zw) + 0.5;
+    vec2 acrossMap = across.xz * (0.5 / bedRect.zw), alongMap = along.xz * (0.5 / bedRect.zw);
+    vec3 bed = textureGrad(bedRadiance, place, acrossMap, alongMap).rgb;
+    return bed + textureGrad(bedResponse, place, acrossMap, alongMap).rgb * sunUnderwater(ground.point, across, along);
+}
+
+struct BedHit {
+    Transmitted transmitted;
+    bool isFound;
+    bool isOnTarget; // the target's picture is taken, not the map's
+};
+
+#ifdef BED_TARGET
+// Both know the bed. The target shows it as finely as the picture does, and all that the eye can see; the map knows what
+// the ray meets before it comes to what the eye sees. So the search in the target begins where the map's ray ended, and
+// what it finds is taken where it lies on the ray, closer than the map could tell, unless the map has the ray stopped
+// before. Where its heights jump a map cannot tell: it has a curtain there, and what stands over the bed may be open below.
+bool isTargetRight(GroundHit ground, TargetHit shown)
+{
+    if (!ground.isFound) return true;
+    vec2 texels = 2.0 * bedRect.zw / vec2(textureSize(bedHeights, 0));
+    float texel = max(texels.x, texels.y);
+    vec4 corners = bedCorners(ivec2(floor(bedTexel(ground.point.xz))));
+    float jump = max(max(corners.x, corners.y), max(corners.z, corners.w)) -
+                 min(min(corners.x, corners.y), min(corners.z, corners.w));
+    if (jump > 3.0 * texel) {
+        float perMetre = 2.0 / (refractionClipFromView[1][1] * float(textureSize(refractionDepth, 0).y)); // of the target's texels
+        float near = 2.0 * perMetre * distance(eye, shown.hitW);
+        return shown.gap < max(near, 0.1 * distance(shown.hitW, ground.point));
+    }
+    float beyond = distance(shown.hitW, surfaceW) - distance(ground.point, surfaceW);
+    return shown.gap < 0.2 * texel && beyond < 3.0 * texel;
+}
+#endif
+
+BedHit lookupBed(vec3 refracted)
 {
     vec3 direction = normalize(vec3(refracted.x, min(refracted.y, -1.0e-3), refracted.z)); // it only goes down
     GroundHit ground = findGround(surfaceW, direction);
-    isFound = ground.isFound;
-    Transmitted t;
-    t.hitW = ground.point;
-    t.path = distance(ground.point, surfaceW);
-    vec2 place = (ground.point.xz - bedRect.xy) * (0.5 / bedRect.zw) + 0.5;
     vec3 across = dFdx(ground.point), along = dFdy(ground.point);
-    vec2 acrossMap = across.xz * (0.5 / bedRect.zw), alongMap = along.xz * (0.5 / bedRect.zw);
-    vec3 bed = textureGrad(bedRadiance, place, acrossMap, alongMap).rgb;
-    bed += textureGrad(bedResponse, place, acrossMap, alongMap).rgb * sunUnderwater(ground.point, across, along);
-    if (!isFound) bed = deepRadiance;
-    t.radiance = radianceThroughWater(bed, deepRadiance, letThrough(t.path));
-    return t;
+    float path = distance(ground.point, surfaceW);
+    BedHit hit;
+    hit.isFound = ground.isFound;
+    hit.isOnTarget = false;
+#ifdef BED_TARGET
+    TargetHit shown = searchTarget(direction, max(path, 1.0e-3));
+    if (isTargetRight(ground, shown)) {
+        hit.transmitted = transmittedFrom(shown);
+        hit.isOnTarget = true;
+        return hit;
+    }
+#endif
+    vec3 bed = groundRadiance(ground, across, along);
+    hit.transmitted = Transmitted(radianceThroughWater(bed, deepRadiance, letThrough(path)), ground.point, path);
+    return hit;
 }

@@ -19,38 +19,11 @@ uniform float marchUnit;
 #endif
 
 uniform samplerCube skyMap;
-#ifdef REFRACTION
-uniform sampler2D refractionColour;
-uniform sampler2D refractionDepth;
-uniform mat4 refractionViewFromWorld;
-uniform mat4 refractionClipFromView;
-uniform vec2 refractionNearFar;
-uniform mat4 worldFromRefractionView;
-uniform int refractionSteps;
-#endif
 #ifdef LINEAR_ATTENUATION
 uniform float attenuationLength; // m
 #endif
 #ifdef UNDERWATER
 uniform float refractionDistance; // m of eq. 13
-#endif
-#ifdef REFLECTION
-uniform sampler2D reflectionColour;
-#ifdef ITERATIVE_REFLECTION
-uniform mat4 reflectionViewFromWorld;
-uniform int reflectionSteps;
-#else
-uniform mat4 reflectionClipFromWorld;
-uniform float reflectionDistance; // c of eq. 6
-#endif
-#if DEBUG_VIEW == 7 || defined(ITERATIVE_REFLECTION)
-uniform sampler2D reflectionDepth;
-uniform mat4 reflectionClipFromView;
-uniform vec2 reflectionNearFar;
-#endif
-#if DEBUG_VIEW == 7
-uniform mat4 worldFromReflectionView;
-#endif
 #endif
 #ifdef PHONG
 uniform float phongExponent;
@@ -92,126 +65,7 @@ vec3 letThrough(float path)
 #endif
 
 #ifdef REFRACTION
-vec2 refractionTexel(vec3 positionR) { return texelOf(refractionClipFromView * vec4(positionR, 1.0)); }
-
-float refractionZ(vec3 positionR)
-{
-    float depth = texture(refractionDepth, refractionTexel(positionR)).r;
-    return viewZFromDepth(depth, refractionNearFar.x, refractionNearFar.y);
-}
-
-#ifdef FLAT_CAMERA
-uniform sampler2D refractionShown; // the point that a texel shows, world, weighted with how much of the texel shows any
-
-// The target shows what a flat surface would: a point is looked up where it would seem to be.
-vec2 flatTexel(vec3 pointW)
-{
-    vec3 seen = flatApparent(eye, pointW, waterLevel, ior);
-    return refractionTexel((refractionViewFromWorld * vec4(seen, 1.0)).xyz);
-}
-
-// What the target shows at a place, and by how much that is beside what a flat surface would show there: only the
-// corners of triangles are moved to where they would seem to be, so that the picture within them is a little off.
-struct FlatLook {
-    vec3 point;  // world; where the target shows nothing, one behind all that there is
-    vec3 beside; // m
-};
-
-FlatLook lookFlat(vec2 texel)
-{
-    float z = viewZFromDepth(texture(refractionDepth, texel).r, refractionNearFar.x, refractionNearFar.y);
-    vec2 tangent = tangentsAt(refractionClipFromView, texel);
-    vec3 seen = (worldFromRefractionView * vec4(vec3(-tangent, 1.0) * z, 1.0)).xyz;
-    FlatLook look = FlatLook(flatTrue(eye, seen, waterLevel, ior), vec3(0.0));
-    vec4 shown = texture(refractionShown, texel);
-    if (shown.w > 1.0e-3) {
-        vec3 point = shown.xyz / shown.w;
-        vec3 beside = point - look.point;
-        // More than any triangle bends is the mean of two things at the edge of one.
-        const float farthest = 0.5;
-        if (dot(beside, beside) < farthest * farthest) look.beside = beside;
-        look.point = point;
-    }
-    return look;
-}
-#endif
-
-#if DEBUG_VIEW == 6
-// The point whose picture is taken for W's, world: what the target shows at W's pixel. Alpha: 1, or 1/2 where that is no
-// valid sample: W is behind the camera or beside its target, or the target is empty there.
-vec4 shownFor(vec3 hitW)
-{
-#ifdef FLAT_CAMERA
-    vec2 place = flatTexel(hitW - lookFlat(flatTexel(hitW)).beside);
-    bool holds = all(greaterThanEqual(place, vec2(0.0))) && all(lessThanEqual(place, vec2(1.0))) &&
-                 texture(refractionShown, place).w > 1.0e-3;
-    return vec4(lookFlat(place).point, holds ? 1.0 : 0.5);
-#endif
-    vec3 w = (refractionViewFromWorld * vec4(hitW, 1.0)).xyz;
-    vec2 texel = refractionTexel(w);
-    bool inside = all(greaterThanEqual(texel, vec2(0.0))) && all(lessThanEqual(texel, vec2(1.0)));
-    bool valid = w.z < 0.0 && inside && texture(refractionDepth, texel).r < 1.0;
-    vec3 seen = seenThrough(vec3(w.xy, min(w.z, -1.0e-3)), refractionZ(w));
-    return vec4((worldFromRefractionView * vec4(seen, 1.0)).xyz, valid ? 1.0 : 0.5);
-}
-#endif
-
-#ifdef FLAT_CAMERA
-// Section 7.1 in world space. Points are written (x, z, y), so that the third coordinate, which intersection.glsl
-// compares, is the height: a refracted ray only goes down, and what lies lower is behind.
-Transmitted lookupBed(vec3 refracted)
-{
-    vec3 u = surfaceW.xzy;
-    vec3 r = refracted.xzy;
-    FlatLook look = lookFlat(flatTexel(surfaceW));
-    vec3 seen = look.point.xzy;
-    vec3 hit = u;
-    if (seen.z < u.z) { // else the bed stands out of the wave here
-#ifdef ITERATIVE
-        IntersectionState s = intersectionBegin(u, r, seen);
-        for (int i = 1; i < refractionSteps; ++i) {
-            look = lookFlat(flatTexel(s.W.xzy - look.beside));
-            s = intersectionStepSeen(s, look.point.xzy);
-        }
-        s = intersectionEnd(s);
-        hit = s.best;
-        seen = s.bestA;
-#else
-        hit = planarIntersection(u, r, seen);
-#endif
-    }
-    Transmitted t;
-    t.hitW = hit.xzy;
-    t.path = distance(seen, u);
-    vec3 bed = texture(refractionColour, flatTexel(t.hitW - look.beside)).rgb;
-    t.radiance = radianceThroughWater(bed, deepRadiance, letThrough(t.path)); // eq. 5
-    return t;
-}
-#elif !defined(UNDERWATER)
-// Section 7.1 in the refraction camera's view space, whose eye is the origin.
-Transmitted lookupBed(vec3 refracted)
-{
-    vec3 u = (refractionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
-    u.z = min(u.z, -1.0e-3); // the turned camera stands back from the water; this only guards the division
-    vec3 r = normalize(mat3(refractionViewFromWorld) * refracted);
-    vec3 firstSeen = seenThrough(u, refractionZ(u));
-#ifdef ITERATIVE
-    IntersectionState s = intersectionBegin(u, r, firstSeen);
-    for (int i = 1; i < refractionSteps; ++i) s = intersectionStep(s, refractionZ(s.W));
-    vec3 hit = s.best;
-    vec3 seen = s.bestA;
-#else
-    vec3 hit = planarIntersection(u, r, firstSeen);
-    vec3 seen = firstSeen;
-#endif
-    Transmitted t;
-    t.hitW = (worldFromRefractionView * vec4(hit, 1.0)).xyz;
-    t.path = distance(seen, u);
-    vec3 bed = texture(refractionColour, refractionTexel(hit)).rgb;
-    t.radiance = radianceThroughWater(bed, deepRadiance, letThrough(t.path)); // eq. 5
-    return t;
-}
-#endif
+#include "passes/target_bed.glsl"
 #endif
 
 #ifdef RAYCAST
@@ -222,85 +76,7 @@ Transmitted lookupBed(vec3 refracted)
 #include "passes/air_lookup.glsl"
 #endif
 
-#ifdef REFLECTION
-#ifdef ITERATIVE_REFLECTION
-// Section 7.1 in the mirrored camera's view space: where the reflected ray meets what that camera sees.
-vec2 reflectionTexelAt(vec3 w) { return texelOf(reflectionClipFromView * vec4(w, 1.0)); }
-
-float reflectionZ(vec3 w)
-{
-    float depth = texture(reflectionDepth, reflectionTexelAt(w)).r;
-    return viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
-}
-
-vec2 reflectionTexel(vec3 reflected)
-{
-    vec3 u = (reflectionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
-    u.z = min(u.z, -1.0e-3);
-    vec3 r = normalize(mat3(reflectionViewFromWorld) * reflected);
-    vec3 up = mat3(reflectionViewFromWorld) * vec3(0.0, 1.0, 0.0);
-    vec3 w = u;
-    vec3 seen = seenThrough(u, reflectionZ(u));
-    IntersectionState s = intersectionBegin(u, r, seen);
-    MirrorChoice choice = mirrorBegin(u, r, up);
-    for (int i = 0; i < reflectionSteps; ++i) {
-        if (i > 0) {
-            w = s.W;
-            seen = seenThrough(w, reflectionZ(w));
-            s = intersectionStepSeen(s, seen);
-        }
-        choice = mirrorConsider(choice, w, seen, -seen.z > 0.99 * reflectionNearFar.y);
-    }
-    return reflectionTexelAt(mirrorChosen(choice));
-}
-#else
-vec2 reflectionTexel(vec3 reflected)
-{
-    return texelOf(reflectionClipFromWorld * vec4(surfaceW + reflectionDistance * reflected, 1.0));
-}
-#endif
-#endif
-
-#ifdef RAYCAST_REFLECTION
-#include "passes/raycast_mirror.glsl"
-#endif
-
-#if DEBUG_VIEW == 7
-// The point that the reflection's lookup shows, world, with alpha 1; where it shows none, the direction of what it does
-// show (sky, or deep water) with alpha 2.
-vec4 shownMirrored(vec3 reflected)
-{
-#ifdef RAYCAST_REFLECTION
-    AfloatHit found = mirroredHit(reflected);
-    return found.isFound > 0.5 ? vec4(found.point, 1.0) : vec4(reflected, 2.0);
-#elif defined(REFLECTION)
-    vec2 size = vec2(textureSize(reflectionDepth, 0));
-    vec2 texel = clamp(reflectionTexel(reflected), 0.5 / size, 1.0 - 0.5 / size); // past its border, the border
-    // The nearest sample's depth: a mean over an edge is the depth of nothing.
-    float depth = texelFetch(reflectionDepth, ivec2(texel * size), 0).r;
-    vec3 ray = vec3(tangentsAt(reflectionClipFromView, texel), -1.0);
-    if (depth >= 1.0) return vec4(normalize(mat3(worldFromReflectionView) * ray), 2.0);
-    vec3 seen = ray * -viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
-    return vec4((worldFromReflectionView * vec4(seen, 1.0)).xyz, 1.0);
-#else
-    return vec4(reflected, 2.0);
-#endif
-}
-#endif
-
-vec3 reflectedRadiance(vec3 reflected)
-{
-#ifdef RAYCAST_REFLECTION
-    AfloatHit found = mirroredHit(reflected);
-    return found.isFound > 0.5 ? mirroredRadiance(found) : texture(skyMap, reflected).rgb;
-#elif defined(REFLECTION)
-    return texture(reflectionColour, reflectionTexel(reflected)).rgb;
-#elif defined(UNDERWATER)
-    return deepRadiance;
-#else
-    return texture(skyMap, reflected).rgb;
-#endif
-}
+#include "passes/mirrored.glsl"
 
 #if !defined(UNDERWATER) && !defined(NO_REFLECTION)
 vec3 reflectedFrom(vec3 normal, vec3 toEye)
@@ -400,10 +176,10 @@ void main()
     // of those that make up the mean, where a ray through a surface of the mean normal is none of them.
     vec3 refracted = refractRay(-toEye, surface.normal, 1.0 / ior);
 #ifdef RAYCAST
-    bool isFound;
-    Transmitted transmitted = lookupBed(refracted, isFound);
+    BedHit bed = lookupBed(refracted);
+    Transmitted transmitted = bed.transmitted;
 #else
-    Transmitted transmitted = lookupBed(refracted);
+    Transmitted transmitted = transmittedFrom(searchTarget(refracted, -1.0));
 #endif
     vec3 below = transmitted.radiance;
     vec3 hit = transmitted.hitW;
@@ -454,7 +230,10 @@ void main()
 #elif DEBUG_VIEW == 6
     fragment = vec4(hit, 0.5);
 #ifdef RAYCAST
-    fragment = vec4(hit.x, bedHeight(hit.xz), hit.z, isFound ? 1.0 : 0.5); // the picture is taken straight from above
+    fragment = vec4(hit.x, bedHeight(hit.xz), hit.z, bed.isFound ? 1.0 : 0.5); // the picture is taken straight from above
+#ifdef BED_TARGET
+    if (bed.isOnTarget) fragment = shownFor(hit);
+#endif
 #elif defined(REFRACTION)
     fragment = shownFor(hit);
 #endif

@@ -103,6 +103,15 @@ SHARED IntersectionState intersectionBegin(vec3 U, vec3 R, vec3 A1)
     return state;
 }
 
+// In place of the planar approximation, a second place to look at that is known some other way: `s` along p.
+SHARED IntersectionState intersectionGuess(IntersectionState begun, float s)
+{
+    IntersectionState state = begun;
+    state.s = clamp(s, state.inFront, state.behind);
+    state.W = state.U + state.s * state.R;
+    return state;
+}
+
 // A: what is seen at last.W, along the camera's ray through it, whatever the projection.
 SHARED IntersectionState intersectionStepSeen(IntersectionState last, vec3 A)
 {

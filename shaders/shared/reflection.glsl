@@ -60,3 +60,10 @@ SHARED vec3 mirrorChosen(MirrorChoice choice)
     if (choice.isBlocked) return choice.bestThing;
     return choice.best;
 }
+
+// Squared chord between the ray's direction and that of what is shown at mirrorChosen's pixel.
+SHARED float mirrorMiss(MirrorChoice choice)
+{
+    if (choice.isBlocked) return choice.leastThing;
+    return choice.least;
+}

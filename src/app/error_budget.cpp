@@ -96,16 +96,19 @@ struct Parts {
         if (refraction.enabled && !isUnderwater()) {
             const reference::TargetCamera target =
                 targetCamera(refractionView(camera, aspect(), settings.water, options(), false));
-            const bool planar = refraction.method == RefractionOptions::Method::planar;
+            using Method = RefractionOptions::Method;
+            const bool planar = refraction.method == Method::planar;
             texels = [target, edge = refraction.targetSize](ViewRequest& view) {
                 view.approximations.refractionTexels = {target, edge};
             };
             coverage = [target](ViewRequest& view) { view.approximations.refraction = target; };
-            intersection = [target, planar, steps = refraction.steps](ViewRequest& view) {
-                view.approximations.refraction = target;
-                view.approximations.refractionSteps = steps;
-                view.approximations.planarRefraction = planar;
-            };
+            // The reference knows the search in a target alone, not the march through a map.
+            if (planar || refraction.method == Method::iterative)
+                intersection = [target, planar, steps = refraction.steps](ViewRequest& view) {
+                    view.approximations.refraction = target;
+                    view.approximations.refractionSteps = steps;
+                    view.approximations.planarRefraction = planar;
+                };
         }
         add("moved camera's coverage", {{"refraction.enabled", "true"}, {"refraction.camera", "flat"}},
             coverage);
@@ -129,13 +132,15 @@ struct Parts {
             texels = [target, edge = reflection.targetSize](ViewRequest& view) {
                 view.approximations.reflectionTexels = {target, edge};
             };
-            const bool searches = reflection.method == ReflectionOptions::Method::iterative;
-            lookup = [target, steps = searches ? reflection.steps : 0,
-                      c = reflection.distance](ViewRequest& view) {
-                view.approximations.reflection = target;
-                view.approximations.reflectionSteps = steps;
-                view.approximations.reflectionDistance = static_cast<double>(c);
-            };
+            using Method = ReflectionOptions::Method;
+            const bool searches = reflection.method == Method::iterative;
+            if (searches || reflection.method == Method::distance)
+                lookup = [target, steps = searches ? reflection.steps : 0,
+                          c = reflection.distance](ViewRequest& view) {
+                    view.approximations.reflection = target;
+                    view.approximations.reflectionSteps = steps;
+                    view.approximations.reflectionDistance = static_cast<double>(c);
+                };
         }
         add("reflection lookup",
             {{"reflection.enabled", "true"},

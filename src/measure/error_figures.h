@@ -19,6 +19,8 @@ struct ErrorFigures {
     double refractionHidden = none;     ///< share whose true hit the map of heights does not hold: something is over it
     // Reflection hit error: between the used and the true direction from U to the hit.
     double reflectionMedian = none, reflectionP95 = none, reflectionP99 = none, reflectionMax = none; ///< degrees
+    double reflectionSceneP95 = none; ///< degrees, of the pixels that truly mirror the scene; 180 where they show the sky
+    double reflectionWrong = none;    ///< share of pixels that show something else than what is mirrored
     double fresnelMean = none, fresnelMax = none; ///< of the reflectance
     double pathMedian = none, pathP99 = none;     ///< m
     double causticsRmse = none;   ///< relative to the mean of the reference

@@ -112,6 +112,39 @@ void addRefraction(ErrorFigures& figures, const WaterQuantities& used, const ref
     figures.refractionMax = percentile(errors, 1.0);
 }
 
+/// Whether a pixel mirrors another thing than the true ray meets; nothing where that ray meets the water once more.
+std::optional<bool> mirrorsOther(const WaterQuantities& used, const reference::Picture& truth, std::size_t pixel)
+{
+    if (truth.has(pixel, Event::reflectionWater)) return std::nullopt;
+    if (used.mirrorsSky[pixel] == truth.has(pixel, Event::reflectionHit)) return true;
+    if (used.mirrorsSky[pixel]) return false;
+    const dvec3 hit(truth.reflectionHit[pixel]);
+    constexpr double nearEnough = 0.1; // of the way: what stands there is the same tree, or one beside it
+    return glm::distance(dvec3(used.mirrored[pixel]), hit) > nearEnough * glm::distance(hit, dvec3(truth.surface[pixel]));
+}
+
+void addReflection(ErrorFigures& figures, const WaterQuantities& used, const reference::Picture& truth)
+{
+    std::vector<double> ofScene;
+    std::size_t known = 0, wrong = 0;
+    const std::vector<double> errors = errorsOf(ErrorKind::reflection, used, truth, [&](std::size_t pixel) {
+        if (truth.has(pixel, Event::reflectionHit))
+            ofScene.push_back(used.mirrorsSky[pixel] ? 180.0 : reflectionError(used, truth, pixel));
+        if (const auto other = mirrorsOther(used, truth, pixel)) {
+            ++known;
+            wrong += *other;
+        }
+        return true;
+    });
+    if (errors.empty()) return;
+    figures.reflectionMedian = percentile(errors, 0.5);
+    figures.reflectionP95 = percentile(errors, 0.95);
+    figures.reflectionP99 = percentile(errors, 0.99);
+    figures.reflectionMax = percentile(errors, 1.0);
+    if (!ofScene.empty()) figures.reflectionSceneP95 = percentile(ofScene, 0.95);
+    if (known > 0) figures.reflectionWrong = static_cast<double>(wrong) / static_cast<double>(known);
+}
+
 } // namespace
 
 std::optional<double> errorAt(ErrorKind kind, const WaterQuantities& used, const reference::Picture& truth,
@@ -141,12 +174,7 @@ ErrorFigures errorFigures(const WaterQuantities& used, const reference::Picture&
     const auto all = [](std::size_t) { return true; };
     ErrorFigures figures;
     addRefraction(figures, used, truth);
-    if (const auto errors = errorsOf(ErrorKind::reflection, used, truth, all); !errors.empty()) {
-        figures.reflectionMedian = percentile(errors, 0.5);
-        figures.reflectionP95 = percentile(errors, 0.95);
-        figures.reflectionP99 = percentile(errors, 0.99);
-        figures.reflectionMax = percentile(errors, 1.0);
-    }
+    addReflection(figures, used, truth);
     if (const auto errors = errorsOf(ErrorKind::fresnel, used, truth, all); !errors.empty()) {
         figures.fresnelMean = mean(errors);
         figures.fresnelMax = percentile(errors, 1.0);

@@ -200,8 +200,10 @@ void planWaterLookups(FramePlan& plan, const Options& options, const LookupChoic
     const bool fromAbove = plan.side != WaterSide::below, fromBelow = plan.side != WaterSide::above;
     const RefractionOptions& refraction = options.refraction;
     const ReflectionOptions& reflection = options.reflection;
-    plan.raycastsBed = fromAbove && refraction.enabled && bed.raycasts;
-    plan.raycastsMirror = fromAbove && options.water.reflects && reflection.enabled && mirror.raycasts;
+    plan.raycastsBed = fromAbove && refraction.enabled && bed.map;
+    plan.targetsBed = !plan.raycastsBed || bed.target;
+    plan.raycastsMirror = fromAbove && options.water.reflects && reflection.enabled && mirror.map;
+    plan.targetsMirror = !plan.raycastsMirror || mirror.target;
 
     const auto chosen = [&](const char* above, const char* crossing, const char* below) {
         return fromAbove && fromBelow ? crossing : fromAbove ? above : below;
@@ -209,7 +211,7 @@ void planWaterLookups(FramePlan& plan, const Options& options, const LookupChoic
     const ivec2 refractionSize(refraction.targetSize), reflectionSize(reflection.targetSize);
     if (!refraction.enabled)
         plan[PassId::refraction] = unwanted("refraction.enabled is off: the water shows its own colour");
-    else if (plan.raycastsBed)
+    else if (!plan.targetsBed)
         plan[PassId::refraction] =
             fromBelow ? wanted("from below, what stands over the water", refractionSize, "")
                       : unwanted("the bed is found in its map of heights");
@@ -222,7 +224,7 @@ void planWaterLookups(FramePlan& plan, const Options& options, const LookupChoic
         plan[PassId::reflection] = unwanted("water.reflects is off: the surface shows only what is refracted");
     else if (!reflection.enabled)
         plan[PassId::reflection] = unwanted("reflection.enabled is off: the water mirrors the sky alone");
-    else if (plan.raycastsMirror)
+    else if (!plan.targetsMirror)
         plan[PassId::reflection] =
             fromBelow ? wanted("from below, the bed mirrored in the surface", reflectionSize, "")
                       : unwanted("what is mirrored is found in its map of heights");

@@ -38,6 +38,7 @@ struct FramePlan {
     WaterSide side = WaterSide::above; ///< of the near plane, where pictures begin
     optics64::WaterGrid waterGrid{};   ///< that draws the surface
     bool raycastsBed = false, raycastsMirror = false; ///< from above, through which of the maps of heights
+    bool targetsBed = true, targetsMirror = true; ///< from above, in which of the targets; from below it is always both
 
     const PassPlan& operator[](PassId pass) const { return passes[static_cast<std::size_t>(pass)]; }
     PassPlan& operator[](PassId pass) { return passes[static_cast<std::size_t>(pass)]; }

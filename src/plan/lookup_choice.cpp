@@ -10,8 +10,8 @@ namespace tarn {
 
 namespace {
 
-// A map that misses more of its places than this leaves more wrong than the other method's search does (README, "Through
-// maps of heights").
+// A map that misses more of its places than this leaves more wrong than the search in a target does (README, "Through maps of
+// heights").
 constexpr double mostHidden = 0.02;
 // Heights between texels are straight, so that one of some pixels still shows what is there; colours blur from about here.
 constexpr float mostPixels = 4.0f;
@@ -28,35 +28,42 @@ float pixelAtNearestWater(const WaterBody& water, const Camera& camera, ivec2 si
     return distance * 2.0f * std::tan(halfFov) / static_cast<float>(size.y);
 }
 
+template <typename Method> LookupChoice named(Method method)
+{
+    return {method == Method::raycast || method == Method::combined, method != Method::raycast, ""};
+}
+
+LookupChoice target(std::string why) { return {false, true, std::move(why)}; }
+LookupChoice map(std::string why) { return {true, false, std::move(why)}; }
+LookupChoice both(std::string why) { return {true, true, std::move(why)}; }
+
 } // namespace
 
 LookupChoice chooseRefraction(const Options& options, const WaterBody& water, const Camera& camera, ivec2 size,
                               const DepthComplexity* complexity)
 {
     using Method = RefractionOptions::Method;
-    if (options.refraction.method != Method::automatic) return {options.refraction.method == Method::raycast, ""};
-    if (!complexity) return {false, "auto: whether a map can hold the bed is not known"};
-    if (complexity->bed > mostHidden)
-        return {false, fmt::format("auto: {:.1f} % of the bed lies under something else", 100.0 * complexity->bed)};
+    if (options.refraction.method != Method::automatic) return named(options.refraction.method);
+    if (!complexity) return target("auto: whether a map can hold the bed is not known");
+    const std::string hidden = fmt::format("{:.1f} % of the bed lies under something else", 100.0 * complexity->bed);
+    if (complexity->bed > mostHidden) return both(fmt::format("auto: {}, where the target is asked", hidden));
     const float texel = (std::max(water.extent.x, water.extent.y) + 2.0f * options.heights.border) /
                         static_cast<float>(options.heights.mapSize);
     const float pixel = pixelAtNearestWater(water, camera, size);
-    if (texel > mostPixels * pixel)
-        return {false, fmt::format("auto: a texel of the map is {:.1f} cm, and a pixel of the nearest water {:.1f} cm",
-                                   100.0f * texel, 100.0f * pixel)};
-    return {true, fmt::format("auto: {:.1f} % of the bed lies under something else, a texel is {:.1f} cm and a pixel of the "
-                              "nearest water {:.1f} cm",
-                              100.0 * complexity->bed, 100.0f * texel, 100.0f * pixel)};
+    const std::string texels = fmt::format("a texel of the map is {:.1f} cm, and a pixel of the nearest water {:.1f} cm",
+                                           100.0f * texel, 100.0f * pixel);
+    if (texel > mostPixels * pixel) return both(fmt::format("auto: {}, so that the target shows what is near", texels));
+    return map(fmt::format("auto: {}; {}", hidden, texels));
 }
 
 LookupChoice chooseReflection(const Options& options, const DepthComplexity* complexity)
 {
     using Method = ReflectionOptions::Method;
-    if (options.reflection.method != Method::automatic) return {options.reflection.method == Method::raycast, ""};
-    if (!complexity) return {false, "auto: whether a map can hold what stands over the water is not known"};
-    const double stacked = 100.0 * complexity->afloat;
-    return {complexity->afloat <= mostHidden,
-            fmt::format("auto: {:.1f} % of what stands over the water stands over something else", stacked)};
+    if (options.reflection.method != Method::automatic) return named(options.reflection.method);
+    if (!complexity) return target("auto: whether a map can hold what stands over the water is not known");
+    std::string why = fmt::format("auto: {:.1f} % of what stands over the water stands over something else",
+                                  100.0 * complexity->afloat);
+    return complexity->afloat <= mostHidden ? map(std::move(why)) : target(std::move(why));
 }
 
 bool wantsDepthComplexity(const Options& options)

@@ -12,13 +12,13 @@ namespace
 constexpr std::array toneCurveNames{"linear", "reinhard", "aces"};
 constexpr std::array waterGridNames{"uniform", "focused"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
-constexpr std::array refractionMethodNames{"planar", "iterative", "raycast", "auto"};
+constexpr std::array refractionMethodNames{"planar", "iterative", "raycast", "combined", "auto"};
 constexpr std::array refractionCameraNames{"main", "snell", "flat"};
 constexpr std::array fresnelNames{"schlick", "table", "exact"};
 constexpr std::array attenuationNames{"exponential", "linear"};
 constexpr std::array specularNames{"physical", "phong"};
 constexpr std::array tableFilterNames{"nearest", "linear"};
-constexpr std::array reflectionMethodNames{"distance", "iterative", "raycast", "auto"};
+constexpr std::array reflectionMethodNames{"distance", "iterative", "raycast", "combined", "auto"};
 constexpr std::array marchNames{"classic", "pyramid"};
 constexpr std::array heightFilterNames{"nearest", "linear"};
 constexpr std::array facetsNames{"one", "three", "five"};
@@ -86,8 +86,8 @@ void visit(FieldVisitor& v, RefractionOptions& o)
 {
     v.field({"enabled", "See into the water; off shows the colour of deep water only"}, o.enabled);
     v.choice({"method", "How the point W on the bed is found: in the refraction target's depth, planar with the first "
-                        "approximation only or iterative; or raycast, through a map of heights (Lipp); auto takes one of the "
-                        "last two, and tarn explain says why"},
+                        "approximation only or iterative; raycast, through a map of heights (Lipp); combined, in the target "
+                        "from where the map's ray ends; auto takes one of the last three, and tarn explain says why"},
              o.method, refractionMethodNames);
     v.field({"steps", "Steps of the iterative intersection (Mihalik 2008, section 7.1)", "steps", 1, 64},
             o.steps);
@@ -110,8 +110,9 @@ void visit(FieldVisitor& v, ReflectionOptions& o)
 {
     v.field({"enabled", "Mirror the scene above the water; off mirrors the sky only"}, o.enabled);
     v.choice({"method", "How the mirrored point is found: at a distance along the ray as published, by the "
-                        "intersection of section 7.1 in the mirrored picture's depth, or raycast, through a map of "
-                        "heights (Lipp); auto takes one of the last two"},
+                        "intersection of section 7.1 in the mirrored picture's depth; raycast, through a map of "
+                        "heights (Lipp); combined, through that map where the picture does not show what the ray "
+                        "meets; auto takes one of the last three"},
              o.method, reflectionMethodNames);
     v.field({"steps", "Steps of that intersection", "steps", 1, 64}, o.steps);
     v.choice({"facets", "Slopes that stand for the waves too small for a pixel; each mirrors on its own"}, o.facets,

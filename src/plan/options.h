@@ -45,7 +45,7 @@ struct WaterOptions {
 enum class DepthFormat { depth16, depth24, depth32f };
 
 struct RefractionOptions {
-    enum class Method { planar, iterative, raycast, automatic };
+    enum class Method { planar, iterative, raycast, combined, automatic };
     enum class CameraMode { main, snell, flat };
     bool enabled = true;
     Method method = Method::iterative;
@@ -59,7 +59,7 @@ struct RefractionOptions {
 };
 
 struct ReflectionOptions {
-    enum class Method { distance, iterative, raycast, automatic };
+    enum class Method { distance, iterative, raycast, combined, automatic };
     enum class Facets { one, three, five };
     bool enabled = true;
     Method method = Method::iterative;

@@ -418,7 +418,7 @@ void Renderer::State::drawRefraction()
                                             .style = lit};
         check(PassId::refraction, side.draw(painter, options.refraction, inputs, pass));
     };
-    if (!stats.plan.raycastsBed) draw(refraction, refractionView, isBelow);
+    if (stats.plan.targetsBed) draw(refraction, refractionView, isBelow);
     if (!isCrossing) return;
     viewBlock.update(tarn::viewBlock(refractionViewBelow, stats.plan[PassId::refraction].size));
     draw(refractionBelow, refractionViewBelow, true);
@@ -433,7 +433,7 @@ void Renderer::State::drawReflection()
             .view = view, .underwater = underwater, .cull = options.frame.cullChunks, .style = lit};
         check(PassId::reflection, side.draw(painter, options.reflection, inputs, pass));
     };
-    if (!stats.plan.raycastsMirror) draw(reflection, reflectionView, isBelow);
+    if (stats.plan.targetsMirror) draw(reflection, reflectionView, isBelow);
     if (!isCrossing) return;
     viewBlock.update(tarn::viewBlock(reflectionViewBelow, stats.plan[PassId::reflection].size));
     draw(reflectionBelow, reflectionViewBelow, true);
@@ -480,9 +480,9 @@ void Renderer::State::drawWater(const FrameInput& input)
     const bool marchesBed = stats.plan.raycastsBed, marchesMirror = stats.plan.raycastsMirror;
     WaterPass::Inputs inputs{.bed = {},
                              .afloat = marchesMirror ? &heights.afloat() : nullptr,
-                             .refraction = refracts && !marchesBed ? &refraction.target() : nullptr,
+                             .refraction = refracts && stats.plan.targetsBed ? &refraction.target() : nullptr,
                              .refractionView = &refractionView,
-                             .reflection = reflects && !marchesMirror ? &reflection.target() : nullptr,
+                             .reflection = reflects && stats.plan.targetsMirror ? &reflection.target() : nullptr,
                              .reflectionView = &reflectionView,
                              .skyMap = gpuScene.skyMap(),
                              .ior = water.ior,
@@ -525,8 +525,8 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
 {
     const ivec2 size = input.size;
     // With raycast the target, if there is one, is that of what is seen from below.
-    const bool refracts = stats.plan[PassId::refraction].wanted && !stats.plan.raycastsBed;
-    const bool reflects = stats.plan[PassId::reflection].wanted && !stats.plan.raycastsMirror;
+    const bool refracts = stats.plan[PassId::refraction].wanted && stats.plan.targetsBed;
+    const bool reflects = stats.plan[PassId::reflection].wanted && stats.plan.targetsMirror;
     switch (input.view) {
     case DebugView::sceneDepth: return debugCopy.depth(frame.depth(), size, main.nearPlane, main.farPlane);
     case DebugView::refractionColour:

@@ -63,8 +63,11 @@ TEST(Raycast, ALevelBedIsMetWhereSnellSays)
     constexpr float depth = 2.0f;
     const Scene scene = flatLake(depth, 20.0f);
     const Camera camera = over({0, 1.6f, 6}, {0, -1, 0});
-    for (const auto march : {HeightsOptions::March::pyramid, HeightsOptions::March::classic}) {
-        Studio studio(scene, raycastOptions(march));
+    using March = HeightsOptions::March;
+    for (const auto& [march, combines] : {std::pair(March::pyramid, false), {March::classic, false}, {March::pyramid, true}}) {
+        Options options = raycastOptions(march);
+        if (combines) options.refraction.method = RefractionOptions::Method::combined;
+        Studio studio(scene, options);
         for (const DebugView view : {DebugView::positionW, DebugView::positionA}) {
             double worst = 0.0;
             const int water = forWater(studio, camera, view, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
@@ -74,7 +77,7 @@ TEST(Raycast, ALevelBedIsMetWhereSnellSays)
             EXPECT_GT(water, pictureSize.x * pictureSize.y / 2);
             EXPECT_LT(worst, 2.0e-3);
         }
-        EXPECT_FALSE(studio.stats.plan[PassId::refraction].wanted);
+        EXPECT_EQ(studio.stats.plan[PassId::refraction].wanted, combines);
         EXPECT_TRUE(studio.stats.plan[PassId::heights].wanted);
     }
 }
@@ -165,6 +168,34 @@ TEST(Raycast, WhatStandsOutOfTheWaterIsSolidToTheSurface)
     const auto [meet, pass] = pool.missed(studio);
     EXPECT_GT(meet, 300);
     EXPECT_EQ(pass, 0) << "of " << meet;
+}
+
+// A map has a curtain under a ledge: what is under it is known to the target alone, which the eye sees it in.
+TEST(Raycast, CombinedWithTheTargetSeesUnderALedge)
+{
+    Scene scene = flatLake(1.5f, 6.0f);
+    const vec3 lower(-0.8f, -0.5f, -0.8f), upper(0.8f, -0.4f, 0.8f);
+    addBox(scene, lower, upper, addMaterial(scene, vec3(0.8f, 0.1f, 0.1f)));
+    const Camera camera = over({0, 0.7f, 3.0f}, {0, -0.6f, 0});
+    const auto wrong = [&](bool combines) {
+        Options options = raycastOptions(HeightsOptions::March::pyramid, 512);
+        if (combines) options.refraction.method = RefractionOptions::Method::combined;
+        options.refraction.camera = RefractionOptions::CameraMode::snell;
+        options.refraction.steps = 6;
+        Studio studio(scene, options);
+        int under = 0, misplaced = 0;
+        forWater(studio, camera, DebugView::positionA, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+            const dvec3 onBed = u - refracted * (1.5 / refracted.y);
+            if (toBox(u, refracted, lower, upper, -0.04) >= 0.0) return; // meets the ledge, or its edge
+            if (std::abs(onBed.x) > 0.7 || std::abs(onBed.z) > 0.7) return;
+            ++under;
+            misplaced += glm::distance(onBed, dvec3(value)) > 0.05;
+        });
+        EXPECT_GT(under, 200);
+        return static_cast<double>(misplaced) / under;
+    };
+    EXPECT_GT(wrong(false), 0.5) << "a map alone fills what is under a ledge";
+    EXPECT_LT(wrong(true), 0.02);
 }
 
 TEST(Raycast, HalvingTheStepFindsTheGroundMoreClosely)

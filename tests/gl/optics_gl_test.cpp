@@ -411,6 +411,8 @@ TEST_F(OpticsGl, Intersection)
         return intersectionStep(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f - i.c.w)),
                                 -7.0f - i.c.w);
     };
+    const std::string guess = "intersectionGuess(" + begin + ", 4.0 * c.x - 0.5)";
+    const std::string guessed = "vec4(" + guess + ".W, " + guess + ".s)";
     const std::string first = "vec4(" + begin + ".W, " + begin + ".bestDistance)";
     const std::string next = "vec4(" + step + ".W, " + step + ".s)";
     const std::string end = "intersectionEnd(" + step + ")";
@@ -438,6 +440,12 @@ TEST_F(OpticsGl, Intersection)
          [u, r](const Inputs& i) {
              const auto s = intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f - i.c.w));
              return wide(s.W, s.bestDistance);
+         }},
+        {"intersectionGuess", guessed.c_str(),
+         [u, r](const Inputs& i) {
+             const auto s = intersectionGuess(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f - i.c.w)),
+                                              4.0f * i.c.x - 0.5f);
+             return wide(s.W, s.s);
          }},
         // Two lines that meet at a small angle magnify rounding by its inverse.
         {"intersectionStep", next.c_str(),
@@ -483,14 +491,14 @@ TEST_F(OpticsGl, ChoiceOfTheMirroredPoint)
     const std::string far = "mirrorConsider(" + near + ", " + U + " + 2.0 * " + R + ", " + U + " + 900.0 * " +
                             R + " + 1.0, true)";
     const std::string place = "vec4(mirrorChosen(" + far + "), 0.0)";
-    const std::string angles = "vec4(" + far + ".least, " + far + ".leastThing, 0.0, 0.0)";
+    const std::string angles = "vec4(" + far + ".least, " + far + ".leastThing, mirrorMiss(" + far + "), 0.0)";
     check({
         {"mirrorChosen", place.c_str(), [chosen](const Inputs& i) { return wide(mirrorChosen(chosen(i))); },
          1e-5f},
         {"mirrorConsider", angles.c_str(),
          [chosen](const Inputs& i) {
              const auto choice = chosen(i);
-             return vec4(choice.least, choice.leastThing, 0.0f, 0.0f);
+             return vec4(choice.least, choice.leastThing, mirrorMiss(choice), 0.0f);
          },
          1e-5f},
     });

@@ -131,6 +131,34 @@ TEST(WaterErrors, ReflectionIsAnAngleFromTheTrueSurface)
     EXPECT_NEAR(errorFigures(p.used, p.truth).reflectionMedian, 45.0, 1e-4);
 }
 
+// The right direction may still show the wrong thing: sky before the tree that stands there, or the bank behind it.
+TEST(WaterErrors, WhatIsMirroredMayBeAnotherThing)
+{
+    Pair p(5);
+    EXPECT_DOUBLE_EQ(errorFigures(p.used, p.truth).reflectionWrong, 0.0);
+    EXPECT_TRUE(std::isnan(errorFigures(p.used, p.truth).reflectionSceneP95)) << "all mirror the sky";
+    const auto meets = [&](std::size_t i) { // 10 m along the true ray
+        p.truth.events[i] |= Event::reflectionHit;
+        p.truth.reflectionHit[i] = p.truth.surface[i] + 10.0f * p.used.mirrored[i];
+    };
+    const auto shows = [&](std::size_t i, float distance) {
+        p.used.mirrorsSky[i] = 0;
+        p.used.mirrored[i] = p.truth.surface[i] + distance * p.used.mirrored[i];
+    };
+    meets(0);      // shows the sky
+    meets(1);
+    shows(1, 10.9f);
+    meets(2);
+    shows(2, 12.0f);
+    shows(3, 10.0f); // the sky is true
+    p.truth.events[4] |= Event::reflectionWater;
+    shows(4, 10.0f);
+    const ErrorFigures figures = errorFigures(p.used, p.truth);
+    EXPECT_DOUBLE_EQ(figures.reflectionWrong, 0.75) << "0, 2 and 3 of the four that meet no water";
+    EXPECT_NEAR(figures.reflectionMax, 0.0, 1e-4);
+    EXPECT_GT(figures.reflectionSceneP95, 90.0);
+}
+
 TEST(WaterErrors, WaterThatMirrorsNothingHasNoErrorOfReflection)
 {
     Pair p(2);

@@ -377,6 +377,27 @@ TEST(MirrorChoice, TakesNoSkyBelowWhatStandsHigher)
     choice = optics64::mirrorConsider(choice, dvec3(2.0, 0.0, -6.0), beside, true);
     EXPECT_LT(choice.least, choice.leastThing);
     EXPECT_EQ(optics64::mirrorChosen(choice).x, 1.0);
+    EXPECT_EQ(optics64::mirrorMiss(choice), choice.leastThing);
+    const auto open = optics64::mirrorConsider(optics64::mirrorBegin(u, r, up), dvec3(2.0, 0.0, -6.0), beside, true);
+    EXPECT_EQ(optics64::mirrorMiss(open), open.least);
+}
+
+// A guess beside the hit is as good a start as the plane: the next look ends there.
+TEST(Intersection, BeginsAtAGuess)
+{
+    const dvec3 u(0.2, 0.4, -4.0), r = glm::normalize(dvec3(0.1, -0.5, -0.8));
+    const dvec3 onBed(0.0, 0.0, -7.0), normal = glm::normalize(dvec3(0.1, 0.6, 0.8)); // a sloping bed
+    const auto seen = [&](const dvec3& w) { return w * (glm::dot(onBed, normal) / glm::dot(w, normal)); };
+    const double truth = glm::dot(onBed - u, normal) / glm::dot(r, normal);
+    const auto begun = optics64::intersectionBegin(u, r, seen(u));
+    auto state = optics64::intersectionGuess(begun, truth + 0.3);
+    EXPECT_DOUBLE_EQ(state.s, truth + 0.3);
+    EXPECT_LT(glm::distance(state.W, u + (truth + 0.3) * r), 1e-12);
+    state = optics64::intersectionStepSeen(state, seen(state.W));
+    EXPECT_NEAR(state.s, truth, 1e-9);
+    EXPECT_EQ(optics64::intersectionGuess(begun, -1.0).s, 0.0);
+    const dvec3 upwards = glm::normalize(dvec3(0.1, 0.5, 0.8)); // comes back to the eye's plane
+    EXPECT_LT(optics64::intersectionGuess(optics64::intersectionBegin(u, upwards, seen(u)), 100.0).W.z, 0.0);
 }
 
 } // namespace

@@ -58,6 +58,14 @@ TEST(FramePlan, RaysThatAreMarchedNeedTheMapsAndNotTheTargets)
     EXPECT_FALSE(plan[PassId::refraction].wanted);
     EXPECT_TRUE(plan[PassId::reflection].wanted);
     expectReasons(plan);
+    EXPECT_FALSE(plan.targetsBed);
+    options.refraction.method = RefractionOptions::Method::combined;
+    options.reflection.method = ReflectionOptions::Method::combined;
+    plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
+    for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection}) EXPECT_TRUE(plan[pass].wanted);
+    EXPECT_TRUE(plan.raycastsBed && plan.targetsBed && plan.raycastsMirror && plan.targetsMirror);
+    expectReasons(plan);
+    options.refraction.method = RefractionOptions::Method::raycast;
     options.reflection.method = ReflectionOptions::Method::raycast;
     plan = planFor(lake(), cameraAt({0, 4, 15}, {0, 0, 0}), options);
     EXPECT_TRUE(plan.raycastsMirror);
@@ -85,14 +93,15 @@ TEST(FramePlan, AutoTakesAMapWhereItCanKnow)
     };
     const DepthComplexity simple{0.001, 0.001}, ledges{0.2, 0.001}, crowns{0.001, 0.4};
     EXPECT_TRUE(plan(&simple).raycastsBed);
+    EXPECT_FALSE(plan(&simple).targetsBed);
     EXPECT_TRUE(plan(&simple).raycastsMirror);
-    EXPECT_FALSE(plan(&ledges).raycastsBed);
+    EXPECT_TRUE(plan(&ledges).raycastsBed && plan(&ledges).targetsBed) << "the target sees under them";
     EXPECT_TRUE(plan(&ledges).raycastsMirror);
     EXPECT_NE(plan(&ledges)[PassId::refraction].reason.find("20.0 %"), std::string::npos);
     EXPECT_FALSE(plan(&crowns).raycastsMirror);
     EXPECT_FALSE(plan(nullptr).raycastsBed) << "nothing is known";
     options.heights.mapSize = 128;
-    EXPECT_FALSE(plan(&simple).raycastsBed) << "a texel is a third of a metre";
+    EXPECT_TRUE(plan(&simple).targetsBed) << "a texel is a third of a metre";
     EXPECT_NE(plan(&simple)[PassId::refraction].reason.find("a texel of the map"), std::string::npos);
 }
 

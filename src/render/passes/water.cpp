@@ -95,6 +95,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (inputs.reflection) defines.emplace_back("REFLECTION", "1");
     if (options.refraction.method != RefractionOptions::Method::planar) defines.emplace_back("ITERATIVE", "1");
     if (inputs.bed) addBedDefines(defines, options.heights, *inputs.bed);
+    if (inputs.bed && inputs.refraction) defines.emplace_back("BED_TARGET", "1");
     if (inputs.afloat) defines.emplace_back("RAYCAST_REFLECTION", "1");
     if ((inputs.bed || inputs.afloat) && options.heights.march == HeightsOptions::March::pyramid)
         defines.emplace_back("PYRAMID", "1");
