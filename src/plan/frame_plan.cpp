@@ -1,6 +1,7 @@
 #include "plan/frame_plan.h"
 
 #include "optics/waves.h"
+#include "plan/reduce.h"
 #include "plan/stereo.h"
 
 #include <algorithm>
@@ -118,13 +119,10 @@ PassPlan wanted(std::string reason, ivec2 size, std::string dependsOn)
 PassPlan unwanted(std::string reason) { return {false, std::move(reason), ivec2(0), ""}; }
 
 /// Why no water is drawn, or nothing when it is.
-std::string whyNoWater(const WaterBody& water, const Camera& camera, const Options& options, ivec2 size)
+std::string whyNoWater(const WaterBody& water, const Options& options)
 {
     if (!water.present) return "the scene has no water";
     if (!options.water.enabled) return "water.enabled is off";
-    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-    const Frustum frustum(clipFromView(camera, aspect) * viewFromWorld(camera));
-    if (!frustum.intersects(waterBounds(water))) return "no water in the view's frustum";
     return "";
 }
 
@@ -255,7 +253,7 @@ ivec2 glowSize(ivec2 size, const Options& options) { return glm::max(size / opti
 } // namespace
 
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-                    ivec2 size, double time, const DepthComplexity* complexity)
+                    ivec2 size, double time, const DepthComplexity* complexity, const Sight* sight)
 {
     FramePlan plan;
     plan[PassId::scene] = wanted("what the eye sees, without the water", size * options.frame.supersampling, "");
@@ -278,12 +276,13 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     if (plan.side == WaterSide::crossing)
         plan[PassId::scene].reason = "what the eye sees, without the water; each pixel on its side of the waterline";
 
-    const std::string noWater = whyNoWater(water, camera, options, size);
+    const std::string noWater = whyNoWater(water, options);
     planSunlight(plan, scene, noWater, options);
     if (!noWater.empty()) {
         for (const PassId pass :
              {PassId::heights, PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
             plan[pass] = unwanted(noWater);
+        reducePlan(plan, scene, water, camera, options, size, sight);
         return plan;
     }
 
@@ -293,12 +292,13 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
                                  size * options.frame.supersampling, "scene");
     planWaterLookups(plan, options, chooseRefraction(options, water, camera, size, complexity),
                      chooseReflection(options, complexity));
-    for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection})
-        if (plan[pass].wanted) plan[PassId::water].dependsOn += std::string(", ") + passName(pass);
     const std::string noGlow = whyNoGlow(scene, plan, options);
     plan[PassId::glow] = noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options), "water")
                                         : unwanted(noGlow);
-    if (noGlow.empty()) plan[PassId::present].dependsOn = "scene, water, glow";
+    reducePlan(plan, scene, water, camera, options, size, sight);
+    for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection})
+        if (plan[PassId::water].wanted && plan[pass].wanted) plan[PassId::water].dependsOn += std::string(", ") + passName(pass);
+    if (plan[PassId::glow].wanted) plan[PassId::present].dependsOn = "scene, water, glow";
     return plan;
 }
 

@@ -16,7 +16,7 @@ HeightsPass::Inputs bedInputs(const HeightMaps::Inputs& frame)
     inputs.lowest = frame.volume.lowest;
     inputs.highest = water.level + std::max(frame.options.refraction.clipOffset, totalAmplitude(water));
     inputs.light = lastingLight(frame.light);
-    inputs.cull = frame.options.frame.cullChunks;
+    inputs.cull = frame.options.plan.allows(RuleId::cullChunks);
     return inputs;
 }
 
@@ -32,7 +32,7 @@ AfloatHeightsPass::Inputs afloatInputs(const HeightMaps::Inputs& frame)
     inputs.highest = frame.volume.highest;
     inputs.light = lastingLight(frame.light);
     inputs.lit = frame.lit;
-    inputs.cull = frame.options.frame.cullChunks;
+    inputs.cull = frame.options.plan.allows(RuleId::cullChunks);
     return inputs;
 }
 
@@ -43,10 +43,11 @@ void HeightMaps::draw(const Inputs& frame, ScenePainter& painter, gl::UniformBuf
 {
     const HeightsOptions& options = frame.options.heights;
     const ivec2 size(powerOfTwo(options.mapSize));
+    const bool keeps = frame.options.plan.allows(RuleId::keepMaps);
     if (frame.plan.raycastsMirror) {
         using From = AfloatHeightsPass::From;
         const AfloatHeightsPass::Inputs inputs = afloatInputs(frame);
-        if (afloat_.isStale(inputs, options)) {
+        if (!keeps || afloat_.isStale(inputs, options)) {
             for (const From from : {From::above, From::below}) {
                 const View view = AfloatHeightsPass::view(inputs, from);
                 viewBlock.update(tarn::viewBlock(view, size));
@@ -57,7 +58,7 @@ void HeightMaps::draw(const Inputs& frame, ScenePainter& painter, gl::UniformBuf
     }
     if (frame.plan.raycastsBed) {
         const HeightsPass::Inputs inputs = bedInputs(frame);
-        if (bed_.isStale(inputs, options)) {
+        if (!keeps || bed_.isStale(inputs, options)) {
             const View bed = HeightsPass::view(inputs, HeightsPass::Part::bed);
             viewBlock.update(tarn::viewBlock(bed, size));
             bed_.drawBed(bed, painter, inputs, options, stats);

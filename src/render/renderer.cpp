@@ -4,10 +4,12 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "gl/workarounds.h"
+#include "plan/reduce.h"
 #include "render/bed_detail.h"
 #include "render/bindings.h"
 #include "render/frame_light.h"
 #include "render/height_maps.h"
+#include "render/look_around.h"
 #include "render/passes/caustics.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
@@ -103,6 +105,7 @@ struct Renderer::State {
     GpuScene gpuScene;
     ScenePainter painter;
     Bounds bounds; ///< of the scene, world space
+    std::vector<SceneBox> boxes = listBoxes(scene);
     float bedEdge = 0.0f; ///< m; of the triangles under water
     std::optional<DepthComplexity> complexity; ///< once a method is auto
     bool saidCoarse = false; ///< that they are too large for refraction.camera = flat
@@ -282,11 +285,15 @@ void Renderer::State::drawBothEyes(const FrameInput& input)
 
 void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
 {
-    stats.plan = planFrame(scene, water, input.camera, options, input.size, input.time,
-                           complexity ? &*complexity : nullptr);
+    const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
+    light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
+    const Sight sight = lookAround(boxes, scene, water, input.camera, aspect, options, light);
+    Options allowed = options;
+    if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
+    stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
+                           complexity ? &*complexity : nullptr, &sight);
     glow = nullptr;
     sideOfPixels = nullptr;
-    const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     isBelow = stats.plan.side == WaterSide::below;
     isCrossing = stats.plan.side == WaterSide::crossing;
     main = mainView(input.camera, aspect);
@@ -296,7 +303,6 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
         refractionViewBelow = tarn::refractionView(input.camera, aspect, water, options, true);
         reflectionViewBelow = tarn::reflectionView(input.camera, aspect, water, options.reflection, true);
     }
-    light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(stats.plan.waterGrid[axis]);
     frameBlock.update(light);
     wavesBlock.update(tarn::wavesBlock(water, input.time));
@@ -322,11 +328,11 @@ void Renderer::State::drawSunlight()
     FrameStats::Pass& pass = stats.of(passName(PassId::sunlight));
     const SunlightPass::Inputs inputs{volume,      light.sunDirection, light.sunDirectionBelow,
                                       water.level, lit.dithersCutOuts, light.hasWater > 0.5f};
-    if (sunlight.isStale(inputs, options.sunlight)) {
+    if (!options.plan.allows(RuleId::keepMaps) || sunlight.isStale(inputs, options.sunlight)) {
         const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
             const View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
             viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
-            sunlight.draw(layer, cascade, view, painter, inputs, options.sunlight, options.frame.cullChunks, pass);
+            sunlight.draw(layer, cascade, view, painter, inputs, options.sunlight, options.plan.allows(RuleId::cullChunks), pass);
         };
         for (std::size_t cascade = 0; cascade < volume.cascades.size(); ++cascade)
             draw(SunLayer::afloat, cascade, inputs.toSun);
@@ -414,7 +420,7 @@ void Renderer::State::drawRefraction()
         const RefractionPass::Inputs inputs{.view = view,
                                             .underwater = underwater,
                                             .deepRadiance = light.deepRadiance,
-                                            .cull = options.frame.cullChunks,
+                                            .cull = options.plan.allows(RuleId::cullChunks),
                                             .style = lit};
         check(PassId::refraction, side.draw(painter, options.refraction, inputs, pass));
     };
@@ -430,7 +436,7 @@ void Renderer::State::drawReflection()
     FrameStats::Pass& pass = beginPass(PassId::reflection, reflectionView, stats.plan[PassId::reflection].size);
     const auto draw = [&](ReflectionPass& side, const View& view, bool underwater) {
         const ReflectionPass::Inputs inputs{
-            .view = view, .underwater = underwater, .cull = options.frame.cullChunks, .style = lit};
+            .view = view, .underwater = underwater, .cull = options.plan.allows(RuleId::cullChunks), .style = lit};
         check(PassId::reflection, side.draw(painter, options.reflection, inputs, pass));
     };
     if (!stats.plan.raycastsMirror) draw(reflection, reflectionView, isBelow);
@@ -450,7 +456,7 @@ void Renderer::State::drawScene(const FrameInput& input)
                   .depth = gl::Format::depth24,
                   .samples = raw ? 1 : options.frame.msaa});
 
-    ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.frame.cullChunks};
+    ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
     if (isWaterView(input.view)) { // what hides the water is all that they need
         inputs.style = PaintStyle{};
         inputs.style.depthOnly = true;

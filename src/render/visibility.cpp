@@ -110,4 +110,11 @@ std::vector<const Chunk*> visibleChunks(const std::vector<Chunk>& chunks, const 
     return visible;
 }
 
+bool mayShow(const View& view, const WaterCover& cover, const Bounds& boxW)
+{
+    const Bounds shown = view.flatWater ? seenThroughFlatWater(boxW, *view.flatWater) : boxW;
+    return Frustum(view.clipFromWorld()).intersects(shown) && keptByPlane(view.clipPlane, boxW) &&
+           !cover.hides(view.eye, boxW);
+}
+
 } // namespace tarn

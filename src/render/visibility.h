@@ -42,4 +42,7 @@ WaterCover waterCover(const WaterBody& water);
 std::vector<const Chunk*> visibleChunks(const std::vector<Chunk>& chunks, const std::vector<Material>& materials,
                                         const View& view, const WaterCover& cover, bool cull);
 
+/// False only when a view certainly shows nothing of what is within a box.
+bool mayShow(const View& view, const WaterCover& cover, const Bounds& boxW);
+
 } // namespace tarn

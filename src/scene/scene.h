@@ -135,6 +135,7 @@ struct Wave {
     float direction = 0.0f;  ///< radians in the xz plane, from +x towards +z
     float phase = 0.0f;      ///< radians
     float period = 0.0f;     ///< s; 0: deep-water dispersion, ω² = g·k
+    bool operator==(const Wave&) const = default;
 };
 
 /// Ripples on the surface, as a picture of its normals in four layers that drift: shaders/shared/normal_map.glsl.
@@ -146,11 +147,13 @@ struct WaterNormalMap {
     float bump = 1.0f;          ///< factor on y before the normal is used: 1 plain, 0 steepest
     struct Layer {
         vec2 velocity{0.0f}; ///< of its drift along x and z, m/s
+        bool operator==(const Layer&) const = default;
     };
     std::array<Layer, 4> layers{
         {{vec2(0.31f, 0.08f)}, {vec2(-0.12f, 0.27f)}, {vec2(0.05f, -0.23f)}, {vec2(-0.2f, -0.13f)}}};
 
     bool isSeen() const { return enabled && image != noImage; }
+    bool operator==(const WaterNormalMap&) const = default;
 };
 
 /// What is added to (x, z) / tile for each layer's place in the picture at a time in seconds, 0..1. Layers do not lie upon
@@ -169,6 +172,7 @@ struct WaterBody {
                                    ///< the water is colour · (downwelling irradiance under the surface) / π
     std::vector<Wave> waves; ///< at most 64
     WaterNormalMap normalMap;
+    bool operator==(const WaterBody&) const = default;
 };
 
 /// The body's scalar and vector fields, in the group "water".
