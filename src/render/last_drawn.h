@@ -19,10 +19,11 @@ public:
     /// True when the target holds what this key makes: it need not be drawn. Else it must be, now.
     bool holds(const Key& key)
     {
-        if (last_ && *last_ == key) return true;
+        if (isFrom(key)) return true;
         last_ = key;
         return false;
     }
+    bool isFrom(const Key& key) const { return last_ && *last_ == key; }
     /// Whatever comes next must be drawn.
     void forget() { last_.reset(); }
 
@@ -38,7 +39,7 @@ struct Moment {
     double time = 0.0; ///< s; 0 while nothing moves
     ivec2 size{0};
     DebugView view = DebugView::final;
-    std::size_t programs = 0; ///< built so far: shaders may be edited meanwhile
+    std::size_t rebuilt = 0; ///< programs, because their files were edited
     bool operator==(const Moment&) const = default;
 };
 
@@ -59,11 +60,11 @@ struct CausticsKey {
     blocks::WavesBlock waves;  ///< of the moment; zero while they are still
     CausticsOptions caustics;
     SunlightOptions sunlight;
-    std::size_t programs = 0;
+    std::size_t rebuilt = 0;
     bool operator==(const CausticsKey& other) const
     {
         return sun == other.sun && region == other.region && caustics == other.caustics && sunlight == other.sunlight &&
-               programs == other.programs && std::memcmp(&light, &other.light, sizeof light) == 0 &&
+               rebuilt == other.rebuilt && std::memcmp(&light, &other.light, sizeof light) == 0 &&
                std::memcmp(&waves, &other.waves, sizeof waves) == 0; // floats, whose padding has names and is zero
     }
 };

@@ -9,11 +9,13 @@
 #include "render/bindings.h"
 #include "render/frame_light.h"
 #include "render/height_maps.h"
+#include "render/last_drawn.h"
 #include "render/look_around.h"
 #include "render/passes/caustics.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
 #include "render/passes/glow.h"
+#include "render/passes/hidden_water.h"
 #include "render/passes/present.h"
 #include "render/passes/reflection.h"
 #include "render/passes/refraction.h"
@@ -91,16 +93,17 @@ bool ditherCutOuts(const FrameOptions& options) { return options.supersampling >
 } // namespace
 
 struct Renderer::State {
-    State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
-        : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, anisotropyFor(o.frame), progress),
-          painter(gpuScene, shaders), causticsPass(shaders), waterPass(shaders), waterline(shaders),
-          glowPass(shaders), downsample(shaders), presentPass(shaders), debugCopy(shaders), stereo(shaders)
+    State(const Scene& s, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p, Progress* progress)
+        : scene(s), options(o), water(s.water), shaders(library), profiler(p),
+          gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), causticsPass(shaders),
+          waterPass(shaders), waterline(shaders), hiddenWater(shaders), glowPass(shaders), downsample(shaders), presentPass(shaders), debugCopy(shaders), stereo(shaders)
     {
     }
 
     const Scene& scene;
     Options options;
     WaterBody water;
+    gl::ShaderLibrary& shaders;
     gl::Profiler& profiler;
     GpuScene gpuScene;
     ScenePainter painter;
@@ -130,11 +133,18 @@ struct Renderer::State {
     WaterGrid waterGrid;
     WaterPass waterPass;
     WaterlinePass waterline;
+    HiddenWaterPass hiddenWater;
     GlowPass glowPass;
     DownsamplePass downsample;
     PresentPass presentPass;
     DebugCopyPass debugCopy;
     StereoPass stereo;
+
+    LastDrawn<Moment> lastFrame;
+    LastDrawn<CausticsKey> lastCaustics;
+    LastDrawn<TargetKey> lastRefraction, lastReflection;
+    std::size_t causticsDrawn = 0; ///< so far
+    std::string kept;              ///< of this frame: names of what is as an earlier one left it
 
     FrameStats stats;
     bool checking = false;
@@ -144,15 +154,18 @@ struct Renderer::State {
     const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
     const gl::Target* beside = nullptr; ///< both eyes' displayed halves, or null for one eye
     const gl::Target* anaglyph = nullptr; ///< made of them, or null
+    bool hasSunlight = false; ///< this frame's maps of the sun are drawn, or kept
     bool hasCaustics = false; ///< this frame's caustics are drawn; they are the same for both eyes
 
     // Of this frame, or of the eye that is being drawn.
     ivec2 drawnSize{1};      ///< of the frame, pixels: the picture's or a multiple of it
     View main, refractionView, reflectionView;
     View refractionViewBelow, reflectionViewBelow;
+    Sight sight;
     bool isBelow = false;    ///< all of the picture begins under water
     bool isCrossing = false; ///< some of it does: the views above are of the air's side, those Below of the water's
     blocks::FrameBlock light{};
+    blocks::WavesBlock waves{};
     SunVolume volume;
     CausticsRegion region;
     PaintStyle lit; ///< what of the sun's light the passes look up
@@ -163,7 +176,17 @@ struct Renderer::State {
     const gl::Target& displayed() const { return anaglyph ? *anaglyph : beside ? *beside : presentPass.target(); }
     void beginEye(const FrameInput& input, const Camera& head);
     void beginSunlight(const Camera& head);
-    void drawTargets();
+    Moment momentOf(const FrameInput& input) const;
+    CausticsKey causticsKey() const;
+    TargetKey targetKey(const FrameInput& input, bool showsCaustics) const;
+    /// Whether a target is kept, which is then noted. Its rule must have been asked about it in any case.
+    bool keeps(RuleId id, PassId pass, bool holds);
+    void noteKept(RuleId id);
+    void forgetWhatIsKept();
+    void drawMaps();
+    void drawTargets(const FrameInput& input);
+    void drawWaterIfSeen(const FrameInput& input);
+    SunlightPass::Inputs sunlightInputs() const;
     void drawSunlight();
     SunMaps sunMaps(const gl::Texture* causticsMap) const;
     void drawCaustics();
@@ -204,6 +227,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     main.alphaToCoverage = options.frame.msaa > 1 && !lit.dithersCutOuts;
     state_->painter.prepare(main, false);
     if (watery) state_->painter.prepare(lit, true);
+    if (watery) state_->hiddenWater.prepare();
     state_->bedEdge = coarseEdgeUnderWater(scene, scene.water);
     state_->takeOptions(options, scene.water);
 }
@@ -249,10 +273,22 @@ const FrameStats& Renderer::render(const FrameInput& input)
     s.profiler.beginFrame();
     s.stats.passes.clear();
     s.bad.clear();
+    const bool mayKeep = s.options.plan.allows(RuleId::keepFrame) && !s.checking;
+    if (mayKeep && s.lastFrame.isFrom(s.momentOf(input))) {
+        s.stats.plan.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
+        s.profiler.endFrame();
+        return s.stats;
+    }
     s.beside = s.anaglyph = nullptr;
-    s.hasCaustics = false;
-    if (s.options.stereo.isOn()) s.drawBothEyes(input);
-    else s.drawEye(input, input.camera);
+    s.hasSunlight = s.hasCaustics = false;
+    try {
+        if (s.options.stereo.isOn()) s.drawBothEyes(input);
+        else s.drawEye(input, input.camera);
+    } catch (...) {
+        s.forgetWhatIsKept();
+        throw;
+    }
+    s.lastFrame.holds(s.momentOf(input));
     s.profiler.endFrame();
     return s.stats;
 }
@@ -261,9 +297,9 @@ const FrameStats& Renderer::render(const FrameInput& input)
 void Renderer::State::drawEye(const FrameInput& input, const Camera& head)
 {
     beginEye(input, head);
-    if (!input.sameMoment) drawTargets();
+    if (!input.sameMoment) drawMaps();
     drawScene(input);
-    if (stats.plan[PassId::water].wanted) drawWater(input);
+    drawWaterIfSeen(input);
     if (stats.plan[PassId::glow].wanted) drawGlow(input);
     present(input);
 }
@@ -287,7 +323,8 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
 {
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
-    const Sight sight = lookAround(boxes, scene, water, input.camera, aspect, options, light);
+    sight = lookAround(boxes, scene, water, input.camera, aspect, options, light);
+    sight.waterWasHidden = hiddenWater.wasHidden() && !checking && !input.sameMoment;
     Options allowed = options;
     if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
     stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
@@ -305,7 +342,8 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     }
     for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(stats.plan.waterGrid[axis]);
     frameBlock.update(light);
-    wavesBlock.update(tarn::wavesBlock(water, input.time));
+    waves = tarn::wavesBlock(water, input.time);
+    wavesBlock.update(waves);
     painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
     beginSunlight(head);
 }
@@ -322,13 +360,19 @@ void Renderer::State::beginSunlight(const Camera& head)
     lit.caustics = stats.plan[PassId::caustics].wanted;
 }
 
+SunlightPass::Inputs Renderer::State::sunlightInputs() const
+{
+    return {volume,      light.sunDirection, light.sunDirectionBelow,
+            water.level, lit.dithersCutOuts, light.hasWater > 0.5f};
+}
+
 void Renderer::State::drawSunlight()
 {
     gl::PassScope scope(profiler, passName(PassId::sunlight));
     FrameStats::Pass& pass = stats.of(passName(PassId::sunlight));
-    const SunlightPass::Inputs inputs{volume,      light.sunDirection, light.sunDirectionBelow,
-                                      water.level, lit.dithersCutOuts, light.hasWater > 0.5f};
-    if (!options.plan.allows(RuleId::keepMaps) || sunlight.isStale(inputs, options.sunlight)) {
+    const SunlightPass::Inputs inputs = sunlightInputs();
+    const bool holds = !sunlight.isStale(inputs, options.sunlight);
+    if (!std::exchange(hasSunlight, true) && !keeps(RuleId::keepMaps, PassId::sunlight, holds)) {
         const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
             const View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
             viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
@@ -375,7 +419,7 @@ void Renderer::State::drawCaustics()
                            .absorption = water.absorption,
                            .surfaceMovesSideways = movesSideways(water, light.sunDirection, cell)},
                           pass);
-    hasCaustics = true;
+    ++causticsDrawn;
     check(PassId::caustics, caustics);
 }
 
@@ -391,17 +435,99 @@ void Renderer::State::check(PassId pass, const gl::Target& target)
     if (BadPixels found = checkTarget(passName(pass), target); found.any()) bad.push_back(std::move(found));
 }
 
-/// What the scene and the water look up.
-void Renderer::State::drawTargets()
+/// What the scene and the water look up that does not depend on the eye, or little.
+void Renderer::State::drawMaps()
 {
+    kept.clear();
     if (stats.plan[PassId::sunlight].wanted) drawSunlight();
     if (stats.plan[PassId::caustics].wanted) {
-        if (!hasCaustics) drawCaustics();
+        const bool holds = hasCaustics || lastCaustics.holds(causticsKey());
+        if (!hasCaustics && !keeps(RuleId::keepMaps, PassId::caustics, holds)) drawCaustics();
+        hasCaustics = true;
         painter.setSunMaps(sunMaps(&causticsPass.target().colour()));
     }
     if (stats.plan[PassId::heights].wanted) drawHeights();
-    if (stats.plan[PassId::refraction].wanted) drawRefraction();
-    if (stats.plan[PassId::reflection].wanted) drawReflection();
+    noteKept(RuleId::keepMaps);
+}
+
+/// What the water alone looks up.
+void Renderer::State::drawTargets(const FrameInput& input)
+{
+    kept.clear();
+    const bool fromBelow = stats.plan.side != WaterSide::above;
+    if (stats.plan[PassId::refraction].wanted) {
+        const bool holds = lastRefraction.holds(targetKey(input, fromBelow || sight.refractionReceives));
+        if (!keeps(RuleId::keepTargets, PassId::refraction, holds)) drawRefraction();
+    }
+    if (stats.plan[PassId::reflection].wanted) {
+        const bool holds = lastReflection.holds(targetKey(input, fromBelow || sight.reflectionReceives));
+        if (!keeps(RuleId::keepTargets, PassId::reflection, holds)) drawReflection();
+    }
+    noteKept(RuleId::keepTargets);
+}
+
+/// In a frame that may hide the water, its own depth decides, on the GPU, whether anything is drawn here.
+void Renderer::State::drawWaterIfSeen(const FrameInput& input)
+{
+    const bool isAsked = stats.plan.rule(RuleId::waterHidden).applies;
+    if (isAsked) {
+        gl::PassScope scope(profiler, passName(PassId::water));
+        viewBlock.update(tarn::viewBlock(main, drawnSize));
+        hiddenWater.ask(frame, waterBounds(water), main.eye);
+    }
+    std::optional<gl::VisibilityQuery::Condition> ifSeen;
+    if (isAsked) ifSeen.emplace(hiddenWater.query());
+    if (!input.sameMoment) drawTargets(input);
+    if (stats.plan[PassId::water].wanted) {
+        std::optional<gl::VisibilityQuery::Scope> counting;
+        if (!isAsked && stats.plan.side == WaterSide::above) counting.emplace(hiddenWater.query());
+        drawWater(input);
+    }
+    if (!isAsked) return;
+    lastRefraction.forget(); // the GPU alone knows whether they were drawn
+    lastReflection.forget();
+}
+
+Moment Renderer::State::momentOf(const FrameInput& input) const
+{
+    return {options, water, input.camera, isStill(water) ? 0.0 : input.time, input.size, input.view, shaders.rebuilt()};
+}
+
+CausticsKey Renderer::State::causticsKey() const
+{
+    const bool isMoving = totalAmplitude(water) > 0.0f;
+    return {sunlightInputs(), region, lastingLight(light), isMoving ? waves : blocks::WavesBlock{},
+            options.caustics, options.sunlight, shaders.rebuilt()};
+}
+
+TargetKey Renderer::State::targetKey(const FrameInput& input, bool showsCaustics) const
+{
+    TargetKey key{momentOf(input), stats.plan.side, lit.caustics, lit.caustics && showsCaustics ? causticsDrawn : 0};
+    key.moment.time = 0.0;
+    key.moment.view = DebugView::final;
+    return key;
+}
+
+bool Renderer::State::keeps(RuleId id, PassId pass, bool holds)
+{
+    if (!holds || !options.plan.allows(id)) return false;
+    kept += (kept.empty() ? "" : ", ") + std::string(passName(pass));
+    return true;
+}
+
+void Renderer::State::forgetWhatIsKept()
+{
+    lastFrame.forget();
+    lastCaustics.forget();
+    lastRefraction.forget();
+    lastReflection.forget();
+}
+
+void Renderer::State::noteKept(RuleId id)
+{
+    if (!options.plan.allows(id)) return;
+    stats.plan.rule(id) = kept.empty() ? RuleState{false, "nothing is as an earlier frame left it"}
+                                       : RuleState{true, "as an earlier frame left it: " + kept};
 }
 
 void Renderer::State::drawHeights()
