@@ -269,6 +269,9 @@ std::function<Command()> defineBench(Flags& flags)
     flags.count("--warm-up", "Frames drawn first and not counted", command->warmUp, 0, 10000);
     flags.list("--vary", "KEY=VALUE", "Measure one more configuration, with this option set",
                command->variants);
+    flags.toggle("--flight", "Fly past the scene's cameras, from the first to the last, in the frames that are measured",
+                 command->flight);
+    flags.toggle("--rules", "Measure the frame plan: without each rule that applies, and without all of them", command->rules);
     flags.value("--table", "N", "Measure table 2 or 3 of Mihalik 2008, chapter 10, beside its figures",
                 [command = command.get()](const std::string& text, const std::string& flag) {
                     command->table = &findPaperTable(text, flag);
@@ -277,6 +280,8 @@ std::function<Command()> defineBench(Flags& flags)
     return [command] {
         if (command->table && !command->variants.empty())
             throw UsageError("--table has configurations of its own; leave --vary away");
+        if (command->table && (command->flight || command->rules))
+            throw UsageError("--table has a view and configurations of its own; leave --flight and --rules away");
         return *command;
     };
 }
