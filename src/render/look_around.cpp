@@ -28,8 +28,8 @@ Bounds submergedPart(const Bounds& box, const WaterBody& water)
     Bounds part = box;
     part.lower = glm::max(part.lower, vec3(lower.x, part.lower.y, lower.y));
     part.upper = glm::min(part.upper, vec3(upper.x, water.level, upper.y));
-    const bool isEmpty = part.lower.x > part.upper.x || part.lower.y >= part.upper.y || part.lower.z > part.upper.z;
-    return isEmpty ? Bounds{} : part;
+    const bool isDry = box.lower.y >= water.level || part.lower.x > part.upper.x || part.lower.z > part.upper.z;
+    return isDry ? Bounds{} : part;
 }
 
 /// The largest value of scene.frag's BRDF, 1/sr.

@@ -68,7 +68,7 @@ struct Pair {
         const Image a = planned.renderer.readDisplay(), b = full.renderer.readDisplay();
         int most = 0;
         for (std::size_t i = 0; i < b.bytes.size(); ++i) most = std::max(most, std::abs(int(a.bytes[i]) - int(b.bytes[i])));
-        EXPECT_LE(most, 1) << "at " << time;
+        EXPECT_LE(most, 1) << "at " << time << " from " << camera.eye.x << ", " << camera.eye.y << ", " << camera.eye.z;
         return stats;
     }
 
@@ -174,6 +174,46 @@ TEST(FrameHiddenWater, NoFrameIsWrongWhenTheEyeJumps)
     EXPECT_TRUE(asks(pair.draw(behind, 0.6)));
     EXPECT_TRUE(asks(pair.draw(before, 0.7)));
     EXPECT_FALSE(asks(pair.draw(before, 0.8)));
+}
+
+// Each rule where it applies, against the full frame: pictures differ by a step of the display at most.
+TEST(FrameLeftOut, WhatIsNotThereIsNotMissed)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    scene.elements.clear(); // no bed, and nothing over it
+    Pair pair(scene, smallOptions());
+    const FramePlan& plan = pair.draw(cameraAt({0, 2, 7}), 0.2).plan;
+    for (const RuleId id : {RuleId::onlySkyMirrored, RuleId::noBed, RuleId::nothingForCaustics})
+        EXPECT_TRUE(plan.rule(id).applies) << rule(id).name << ": " << plan.rule(id).why;
+    EXPECT_FALSE(plan[PassId::refraction].wanted);
+    EXPECT_FALSE(plan[PassId::reflection].wanted);
+}
+
+TEST(FrameLeftOut, ABedUnderTooMuchWaterIsNotMissed)
+{
+    Scene scene = flatLake(6.0f, 30.0f);
+    scene.sun = Sun{normalize(vec3(0.3f, 1.0f, -0.4f)), vec3(2.0f), false};
+    scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    scene.water.absorption = vec3(1.2f);
+    Pair pair(scene, smallOptions());
+    EXPECT_TRUE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::bedTooDeep).applies);
+    scene.water.absorption = vec3(0.2f);
+    pair.water = scene.water;
+    pair.change(pair.options);
+    EXPECT_FALSE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::bedTooDeep).applies);
+}
+
+TEST(FrameLeftOut, AGlowBehindTheEyeIsNotMissed)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.02f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    scene.sun->direction = normalize(vec3(0.0f, 0.4f, 1.0f));
+    Options options = smallOptions();
+    options.glow.strength = 10.0f;
+    Pair pair(scene, options);
+    EXPECT_TRUE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::glowOutOfView).applies);
+    EXPECT_FALSE(pair.draw(cameraAt({0, 2, -7}), 0.2).plan.rule(RuleId::glowOutOfView).applies) << "towards the sun";
 }
 
 } // namespace tarn::test

@@ -41,6 +41,7 @@ test_wrong_usage() {
     refuse 2 '%' render "$pool" --frames 3 --out a.png
     refuse 2 'table 4.*2.*3' bench "$pool" --table 4
     refuse 2 'table.*vary' bench "$pool" --table 2 --vary refraction.steps=1
+    refuse 2 'table.*flight' bench "$pool" --table 2 --flight
     refuse 2 'error.*tarn reference' render "$pool" --error path --out a.png
     refuse 2 'fresnel' render "$pool" --error colour --reference a.exr --out a.png
     refuse 2 'out' trade "$pool"
@@ -231,6 +232,11 @@ test_json() {
     grep -q '"triangles"' a.json || fail "render's JSON does not count triangles"
     call 0 bench "$pool" --size 32x24 --frames 3 --json b.json
     grep -q '"renderer"' b.json && grep -q '"median' b.json || fail "bench's JSON lacks the machine or the median"
+    grep -q '"leaves_out"' b.json || fail "bench's JSON lacks the plan"
+    call 0 bench "$pool" --size 32x24 --frames 3 --flight --rules --json d.json
+    grep -q '^full costs .* x planned' "$work/stdout" || fail "bench --rules does not compare the full frame"
+    grep -q 'cull_chunks  *3 of 3' "$work/stdout" || fail "bench --rules does not tell how often a rule applied"
+    grep -q '"total_wall"' d.json || fail "bench's JSON lacks the ratio of the whole flight"
     call 0 bench "$pool" --size 32x24 --frames 2 --table 2 --json c.json
     grep -q '^| caustics off ' "$work/stdout" || fail "bench --table 2 has no row without caustics"
     grep -q '"ours_over_thesis"' c.json || fail "the table's JSON does not compare with the thesis"
