@@ -9,7 +9,7 @@
 #include "render/bindings.h"
 #include "render/frame_light.h"
 #include "render/height_maps.h"
-#include "render/last_drawn.h"
+#include "render/kept.h"
 #include "render/look_around.h"
 #include "render/passes/caustics.h"
 #include "render/passes/debug_copy.h"
@@ -140,11 +140,7 @@ struct Renderer::State {
     DebugCopyPass debugCopy;
     StereoPass stereo;
 
-    LastDrawn<Moment> lastFrame;
-    LastDrawn<CausticsKey> lastCaustics;
-    LastDrawn<TargetKey> lastRefraction, lastReflection;
-    std::size_t causticsDrawn = 0; ///< so far
-    std::string kept;              ///< of this frame: names of what is as an earlier one left it
+    Kept kept;
 
     FrameStats stats;
     bool checking = false;
@@ -176,13 +172,6 @@ struct Renderer::State {
     const gl::Target& displayed() const { return anaglyph ? *anaglyph : beside ? *beside : presentPass.target(); }
     void beginEye(const FrameInput& input, const Camera& head);
     void beginSunlight(const Camera& head);
-    Moment momentOf(const FrameInput& input) const;
-    CausticsKey causticsKey() const;
-    TargetKey targetKey(const FrameInput& input, bool showsCaustics) const;
-    /// Whether a target is kept, which is then noted. Its rule must have been asked about it in any case.
-    bool keeps(RuleId id, PassId pass, bool holds);
-    void noteKept(RuleId id);
-    void forgetWhatIsKept();
     void drawMaps();
     void drawTargets(const FrameInput& input);
     void drawWaterIfSeen(const FrameInput& input);
@@ -273,8 +262,8 @@ const FrameStats& Renderer::render(const FrameInput& input)
     s.profiler.beginFrame();
     s.stats.passes.clear();
     s.bad.clear();
-    const bool mayKeep = s.options.plan.allows(RuleId::keepFrame) && !s.checking;
-    if (mayKeep && s.lastFrame.isFrom(s.momentOf(input))) {
+    const Moment moment = momentOf(input, s.options, s.water, s.shaders.rebuilt());
+    if (s.kept.beginFrame(moment, s.options.plan, !s.checking)) {
         s.stats.plan.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
         s.profiler.endFrame();
         return s.stats;
@@ -285,10 +274,10 @@ const FrameStats& Renderer::render(const FrameInput& input)
         if (s.options.stereo.isOn()) s.drawBothEyes(input);
         else s.drawEye(input, input.camera);
     } catch (...) {
-        s.forgetWhatIsKept();
+        s.kept.forget();
         throw;
     }
-    s.lastFrame.holds(s.momentOf(input));
+    s.kept.endFrame();
     s.profiler.endFrame();
     return s.stats;
 }
@@ -372,7 +361,7 @@ void Renderer::State::drawSunlight()
     FrameStats::Pass& pass = stats.of(passName(PassId::sunlight));
     const SunlightPass::Inputs inputs = sunlightInputs();
     const bool holds = !sunlight.isStale(inputs, options.sunlight);
-    if (!std::exchange(hasSunlight, true) && !keeps(RuleId::keepMaps, PassId::sunlight, holds)) {
+    if (!std::exchange(hasSunlight, true) && !kept.map(PassId::sunlight, holds)) {
         const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
             const View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
             viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
@@ -419,7 +408,7 @@ void Renderer::State::drawCaustics()
                            .absorption = water.absorption,
                            .surfaceMovesSideways = movesSideways(water, light.sunDirection, cell)},
                           pass);
-    ++causticsDrawn;
+    kept.causticsWereDrawn();
     check(PassId::caustics, caustics);
 }
 
@@ -438,32 +427,25 @@ void Renderer::State::check(PassId pass, const gl::Target& target)
 /// What the scene and the water look up that does not depend on the eye, or little.
 void Renderer::State::drawMaps()
 {
-    kept.clear();
     if (stats.plan[PassId::sunlight].wanted) drawSunlight();
     if (stats.plan[PassId::caustics].wanted) {
-        const bool holds = hasCaustics || lastCaustics.holds(causticsKey());
-        if (!hasCaustics && !keeps(RuleId::keepMaps, PassId::caustics, holds)) drawCaustics();
-        hasCaustics = true;
+        if (!std::exchange(hasCaustics, true) && !kept.caustics({sunlightInputs(), region, light, waves})) drawCaustics();
         painter.setSunMaps(sunMaps(&causticsPass.target().colour()));
     }
     if (stats.plan[PassId::heights].wanted) drawHeights();
-    noteKept(RuleId::keepMaps);
+    kept.tell(stats.plan, RuleId::keepMaps);
 }
 
 /// What the water alone looks up.
 void Renderer::State::drawTargets(const FrameInput& input)
 {
-    kept.clear();
-    const bool fromBelow = stats.plan.side != WaterSide::above;
-    if (stats.plan[PassId::refraction].wanted) {
-        const bool holds = lastRefraction.holds(targetKey(input, fromBelow || sight.refractionReceives));
-        if (!keeps(RuleId::keepTargets, PassId::refraction, holds)) drawRefraction();
-    }
-    if (stats.plan[PassId::reflection].wanted) {
-        const bool holds = lastReflection.holds(targetKey(input, fromBelow || sight.reflectionReceives));
-        if (!keeps(RuleId::keepTargets, PassId::reflection, holds)) drawReflection();
-    }
-    noteKept(RuleId::keepTargets);
+    const auto keeps = [&](PassId pass, bool receives) {
+        const bool showsCaustics = stats.plan.side != WaterSide::above || receives;
+        return kept.target(pass, input.camera, stats.plan.side, lit.caustics, showsCaustics);
+    };
+    if (stats.plan[PassId::refraction].wanted && !keeps(PassId::refraction, sight.refractionReceives)) drawRefraction();
+    if (stats.plan[PassId::reflection].wanted && !keeps(PassId::reflection, sight.reflectionReceives)) drawReflection();
+    kept.tell(stats.plan, RuleId::keepTargets);
 }
 
 /// In a frame that may hide the water, its own depth decides, on the GPU, whether anything is drawn here.
@@ -483,51 +465,7 @@ void Renderer::State::drawWaterIfSeen(const FrameInput& input)
         if (!isAsked && stats.plan.side == WaterSide::above) counting.emplace(hiddenWater.query());
         drawWater(input);
     }
-    if (!isAsked) return;
-    lastRefraction.forget(); // the GPU alone knows whether they were drawn
-    lastReflection.forget();
-}
-
-Moment Renderer::State::momentOf(const FrameInput& input) const
-{
-    return {options, water, input.camera, isStill(water) ? 0.0 : input.time, input.size, input.view, shaders.rebuilt()};
-}
-
-CausticsKey Renderer::State::causticsKey() const
-{
-    const bool isMoving = totalAmplitude(water) > 0.0f;
-    return {sunlightInputs(), region, lastingLight(light), isMoving ? waves : blocks::WavesBlock{},
-            options.caustics, options.sunlight, shaders.rebuilt()};
-}
-
-TargetKey Renderer::State::targetKey(const FrameInput& input, bool showsCaustics) const
-{
-    TargetKey key{momentOf(input), stats.plan.side, lit.caustics, lit.caustics && showsCaustics ? causticsDrawn : 0};
-    key.moment.time = 0.0;
-    key.moment.view = DebugView::final;
-    return key;
-}
-
-bool Renderer::State::keeps(RuleId id, PassId pass, bool holds)
-{
-    if (!holds || !options.plan.allows(id)) return false;
-    kept += (kept.empty() ? "" : ", ") + std::string(passName(pass));
-    return true;
-}
-
-void Renderer::State::forgetWhatIsKept()
-{
-    lastFrame.forget();
-    lastCaustics.forget();
-    lastRefraction.forget();
-    lastReflection.forget();
-}
-
-void Renderer::State::noteKept(RuleId id)
-{
-    if (!options.plan.allows(id)) return;
-    stats.plan.rule(id) = kept.empty() ? RuleState{false, "nothing is as an earlier frame left it"}
-                                       : RuleState{true, "as an earlier frame left it: " + kept};
+    if (isAsked) kept.forgetTargets(); // the GPU alone knows whether they were drawn
 }
 
 void Renderer::State::drawHeights()
