@@ -87,6 +87,15 @@ std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
 
 namespace {
 
+/// Whether a frame runs a pass that the one before did not, or may not have.
+bool wantsMore(const FramePlan& plan, const FramePlan& before)
+{
+    if (before.rule(RuleId::waterHidden).applies) return true;
+    for (std::size_t i = 0; i < passCount; ++i)
+        if (plan.passes[i].wanted && !before.passes[i].wanted) return true;
+    return false;
+}
+
 /// Foliage by chance of its share of a pixel is right in the mean of several pixels, and noise where one must do.
 bool ditherCutOuts(const FrameOptions& options) { return options.supersampling > 1; }
 
@@ -158,6 +167,7 @@ struct Renderer::State {
     View main, refractionView, reflectionView;
     View refractionViewBelow, reflectionViewBelow;
     Sight sight;
+    bool looksUpAnew = true; ///< maps and targets are not as the last frame left them
     bool isBelow = false;    ///< all of the picture begins under water
     bool isCrossing = false; ///< some of it does: the views above are of the air's side, those Below of the water's
     blocks::FrameBlock light{};
@@ -286,7 +296,7 @@ const FrameStats& Renderer::render(const FrameInput& input)
 void Renderer::State::drawEye(const FrameInput& input, const Camera& head)
 {
     beginEye(input, head);
-    if (!input.sameMoment) drawMaps();
+    if (looksUpAnew) drawMaps();
     drawScene(input);
     drawWaterIfSeen(input);
     if (stats.plan[PassId::glow].wanted) drawGlow(input);
@@ -316,8 +326,11 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     sight.waterWasHidden = hiddenWater.wasHidden() && !checking && !input.sameMoment;
     Options allowed = options;
     if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
+    const FramePlan before = std::move(stats.plan);
     stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
                            complexity ? &*complexity : nullptr, &sight);
+    // What the last frame left out, a debug view of the same moment may want to show.
+    looksUpAnew = !input.sameMoment || wantsMore(stats.plan, before);
     glow = nullptr;
     sideOfPixels = nullptr;
     isBelow = stats.plan.side == WaterSide::below;
@@ -459,7 +472,7 @@ void Renderer::State::drawWaterIfSeen(const FrameInput& input)
     }
     std::optional<gl::VisibilityQuery::Condition> ifSeen;
     if (isAsked) ifSeen.emplace(hiddenWater.query());
-    if (!input.sameMoment) drawTargets(input);
+    if (looksUpAnew) drawTargets(input);
     if (stats.plan[PassId::water].wanted) {
         std::optional<gl::VisibilityQuery::Scope> counting;
         if (!isAsked && stats.plan.side == WaterSide::above) counting.emplace(hiddenWater.query());

@@ -216,4 +216,22 @@ TEST(FrameLeftOut, AGlowBehindTheEyeIsNotMissed)
     EXPECT_FALSE(pair.draw(cameraAt({0, 2, -7}), 0.2).plan.rule(RuleId::glowOutOfView).applies) << "towards the sun";
 }
 
+// A debug view of the moment that a picture was just drawn of shows what that picture did not need.
+TEST(FrameLeftOut, DebugViewsOfTheSameMomentHaveIt)
+{
+    Scene scene = flatLake(3.0f, 30.0f);
+    scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    Pair pair(scene, smallOptions());
+    const Camera camera = cameraAt({0, 2, 7});
+    EXPECT_TRUE(pair.draw(camera, 0.2).plan.rule(RuleId::onlySkyMirrored).applies);
+    for (const DebugView view : {DebugView::reflection, DebugView::reflectionHit, DebugView::positionW}) {
+        pair.planned.renderer.render({camera, 0.2, size, view, true});
+        pair.full.renderer.render({camera, 0.2, size, view});
+        const Image a = pair.planned.renderer.readLinear(), b = pair.full.renderer.readLinear();
+        float most = 0.0f;
+        for (std::size_t k = 0; k < b.floats.size(); ++k) most = std::max(most, std::abs(a.floats[k] - b.floats[k]));
+        EXPECT_LT(most, 1.0e-3f);
+    }
+}
+
 } // namespace tarn::test
