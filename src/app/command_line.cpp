@@ -290,7 +290,9 @@ std::function<Command()> defineTrade(Flags& flags)
                 "Folder of the results, the tables and report.html; made when it is not there",
                 [&c](const std::string& text, const std::string&) { c.out = text; });
     flags.list("--sweep", "KEY=VALUES",
-               "Sweep an option: 1:8, 1:64:*2, 0:1:0.25 or a,b,c; a plan of its own by default", c.sweeps);
+               "Sweep an option: 1:8, 1:64:*2, 0:1:0.25 or a,b,c, and a,b@OTHER=c while another is set; a plan of "
+               "its own by default",
+               c.sweeps);
     flags.toggle("--grid", "Every combination of the sweeps, instead of one option at a time", c.grid);
     flags.toggle("--presets-only", "Measure the options as given and the presets, and sweep nothing", c.presetsOnly);
     flags.value("--views", "NAMES", "Cameras, a,b,c; the scene's first eight by default",
@@ -373,6 +375,19 @@ std::function<Command()> defineExplain(Flags& flags)
     addView(flags, command->view);
     flags.text("--json", "FILE", jsonDoc, command->json);
     return [command] { return *command; };
+}
+
+std::function<Command()> defineMaps(Flags& flags)
+{
+    auto command = std::make_shared<MapsCommand>();
+    addScene(flags, command->scene);
+    flags.value("--out", "DIR", "Folder of bed.exr and afloat.exr; made when it is not there",
+                [command = command.get()](const std::string& text, const std::string&) { command->out = text; });
+    flags.text("--json", "FILE", jsonDoc, command->json);
+    return [command]() -> Command {
+        if (command->out.empty()) throw UsageError("maps needs --out DIR, a folder for bed.exr and afloat.exr");
+        return *command;
+    };
 }
 
 std::string parseToneCurve(const std::string& text, const std::string& flag)
@@ -465,6 +480,7 @@ constexpr CommandRow commands[] = {
     {"tune", "Find the settings that keep a limit of error or of time on this machine", defineTune},
     {"budget", "Say which part of a picture's error each approximation owns", defineBudget},
     {"explain", "Say which passes a frame runs, and why", defineExplain},
+    {"maps", "Write the maps of heights that rays are marched through, as pictures", defineMaps},
     {"compare", "Say how different two pictures are, to the eye and in their values", defineCompare},
     {"disparity", "Say how far a drawn pair's disparity is from the reference's pair", defineDisparity},
     {"options", "List every option", defineOptions},

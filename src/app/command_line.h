@@ -126,6 +126,12 @@ struct ExplainCommand {
     std::string json;
 };
 
+struct MapsCommand {
+    SceneArguments scene;
+    std::filesystem::path out; ///< folder
+    std::string json;
+};
+
 struct CompareCommand {
     std::filesystem::path reference, test;
     std::filesystem::path out;      ///< the map of FLIP: .png as colours, .exr as values; empty: none
@@ -160,7 +166,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, CompareCommand, BenchCommand,
-                             DisparityCommand, TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, OptionsCommand,
+                             DisparityCommand, TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, MapsCommand, OptionsCommand,
                              InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a

@@ -28,18 +28,24 @@ float pixelAtNearestWater(const WaterBody& water, const Camera& camera, ivec2 si
     return distance * 2.0f * std::tan(halfFov) / static_cast<float>(size.y);
 }
 
+/// Of the bed's map, the longer edge, m.
+float texelOf(const HeightsOptions& options, const WaterBody& water, const HeightMapPicture* given)
+{
+    if (given) return std::max(given->extent.x, given->extent.y) / static_cast<float>(given->edge);
+    return (std::max(water.extent.x, water.extent.y) + 2.0f * options.border) / static_cast<float>(options.mapSize);
+}
+
 } // namespace
 
 LookupChoice chooseRefraction(const Options& options, const WaterBody& water, const Camera& camera, ivec2 size,
-                              const DepthComplexity* complexity)
+                              const DepthComplexity* complexity, const HeightMapPicture* given)
 {
     using Method = RefractionOptions::Method;
     if (options.refraction.method != Method::automatic) return {options.refraction.method == Method::raycast, ""};
     if (!complexity) return {false, "auto: whether a map can hold the bed is not known"};
     if (complexity->bed > mostHidden)
         return {false, fmt::format("auto: {:.1f} % of the bed lies under something else", 100.0 * complexity->bed)};
-    const float texel = (std::max(water.extent.x, water.extent.y) + 2.0f * options.heights.border) /
-                        static_cast<float>(options.heights.mapSize);
+    const float texel = texelOf(options.heights, water, given);
     const float pixel = pixelAtNearestWater(water, camera, size);
     if (texel > mostPixels * pixel)
         return {false, fmt::format("auto: a texel of the map is {:.1f} cm, and a pixel of the nearest water {:.1f} cm",

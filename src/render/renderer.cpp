@@ -402,7 +402,7 @@ void Renderer::State::drawHeights()
 {
     gl::PassScope scope(profiler, passName(PassId::heights));
     FrameStats::Pass& pass = stats.of(passName(PassId::heights));
-    const HeightMaps::Inputs inputs{stats.plan, options, water, bounds, volume, light, lit};
+    const HeightMaps::Inputs inputs{stats.plan, options, water, bounds, volume, light, lit, scene.maps};
     heights.draw(inputs, painter, viewBlock, pass);
 }
 
@@ -576,6 +576,13 @@ Image Renderer::readLinear() const
 const HeightField* Renderer::heightField() const
 {
     return state_->stats.plan.raycastsBed ? &state_->heights.bed().field() : nullptr;
+}
+
+std::optional<HeightMapPicture> Renderer::readMap(MapKind kind) const
+{
+    const FramePlan& plan = state_->stats.plan;
+    if (!(kind == MapKind::bed ? plan.raycastsBed : plan.raycastsMirror)) return std::nullopt;
+    return state_->heights.picture(kind);
 }
 
 const View& Renderer::refractionView() const { return state_->refractionView; }

@@ -111,6 +111,9 @@ public:
     /// The map that the last frame's refracted rays were marched through, or null when they were found otherwise.
     const HeightField* heightField() const;
 
+    /// A map that the last frame's rays were marched through, as a picture; nothing where none was. Waits for the GPU.
+    std::optional<HeightMapPicture> readMap(MapKind kind) const;
+
     /// The last frame's caustics texture as it is; nothing when the frame had none. Waits for the GPU.
     std::optional<CausticsMap> readCaustics() const;
 

@@ -9,6 +9,7 @@
 #include "base/math.h"
 #include "scene/camera.h"
 #include "scene/image.h"
+#include "scene/map_picture.h"
 
 #include <array>
 #include <cstdint>
@@ -174,6 +175,17 @@ struct WaterBody {
 /// The body's scalar and vector fields, in the group "water".
 void visit(FieldVisitor& visitor, WaterBody& water);
 
+/// A map of heights that is given as a picture; without one it is drawn.
+struct GivenMap {
+    std::filesystem::path file; ///< as written in the scene file, relative to it; empty: none
+    vec2 centre{0.0f}, extent{0.0f}; ///< as written there, m: what it covers; zero extent: what its header says
+    std::optional<HeightMapPicture> picture;
+};
+
+struct SceneMaps {
+    GivenMap bed, afloat;
+};
+
 struct Scene {
     std::string name;
     std::filesystem::path file; ///< what it was loaded from
@@ -191,6 +203,7 @@ struct Scene {
     std::vector<SpotLight> spotLights;
     std::vector<Camera> cameras; ///< at least one after loading
     WaterBody water;
+    SceneMaps maps;
 
     std::vector<Assignment> options; ///< the scene file's [options], for the program to apply
 
