@@ -168,7 +168,10 @@ double steppedOver(const Scene& scene, const Camera& camera, const Options& opti
 // The figure of the trade: of the rays that meet the post in truth, those that do not end there.
 TEST(Raycast, WhatAClassicMarchStepsOverIsCounted)
 {
-    const Pool pool;
+    // The bed fills the map: over its brim a step may go as well.
+    Pool pool;
+    pool.scene = flatLake(1.0f, 4.0f, 12.0f);
+    addBox(pool.scene, pool.lower, pool.upper, addMaterial(pool.scene, vec3(0.8f, 0.1f, 0.1f)));
     EXPECT_EQ(steppedOver(pool.scene, pool.camera, raycastOptions(HeightsOptions::March::pyramid, 1024)), 0.0);
     EXPECT_EQ(steppedOver(pool.scene, pool.camera, raycastOptions(HeightsOptions::March::pyramid, 256)), 0.0);
     const Options classic = raycastOptions(HeightsOptions::March::classic, 1024);
@@ -182,7 +185,7 @@ TEST(Raycast, WhatAClassicMarchStepsOverIsCounted)
     const double wanted = static_cast<double>(passed) / water;
     EXPECT_GT(wanted, 0.001);
     EXPECT_NEAR(share, wanted, 0.25 * wanted) << "the map's post is wider by up to a texel";
-    Scene bare = flatLake(1.0f, 4.0f);
+    const Scene bare = flatLake(1.0f, 4.0f, 12.0f);
     EXPECT_EQ(steppedOver(bare, pool.camera, classic), 0.0) << "there is nothing to step over";
 }
 
