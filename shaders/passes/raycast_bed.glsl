@@ -24,7 +24,7 @@ Transmitted lookupBed(vec3 refracted, out bool isFound)
     vec3 across = dFdx(ground.point), along = dFdy(ground.point);
     vec2 acrossMap = across.xz * (0.5 / bedRect.zw), alongMap = along.xz * (0.5 / bedRect.zw);
     vec3 bed = textureGrad(bedRadiance, place, acrossMap, alongMap).rgb;
-    bed += textureGrad(bedResponse, place, acrossMap, alongMap).rgb * sunUnderwater(ground.point, across, along);
+    bed += textureGrad(bedResponse, place, acrossMap, alongMap).rgb * sunUnderwater(ground.point, across, along, 0.0);
     if (!isFound) bed = deepRadiance;
     t.radiance = radianceThroughWater(bed, deepRadiance, letThrough(t.path));
     return t;

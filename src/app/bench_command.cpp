@@ -57,7 +57,7 @@ void run(const BenchCommand& command)
     Session session(stage, command.view.size, &progress);
     std::vector<std::unique_ptr<BenchSubject>> subjects;
     for (const auto& [name, settings] : configurations) {
-        if (command.table)
+        if (command.table || command.settled)
             subjects.push_back(std::make_unique<SettledSubject>(name, session, settings, view));
         else
             subjects.push_back(std::make_unique<RenderedSubject>(name, session, settings, view));
@@ -70,7 +70,12 @@ void run(const BenchCommand& command)
                       {"scene", stage.scene.file.string()},
                       {"camera", view.camera.name},
                       {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
-    writeJson(command.json, command.table ? toJson(*command.table, report) : toJson(report));
+    nlohmann::json json = command.table ? toJson(*command.table, report) : toJson(report);
+    const ProcessMemory memory = processMemory();
+    json["memory"] = {{"resident_bytes", memory.resident},
+                      {"peak_bytes", memory.peak},
+                      {"geometry_bytes", session.renderer().geometryBytes()}};
+    writeJson(command.json, json);
     if (command.json != "-")
         fmt::print("{}", command.table ? toMarkdown(*command.table, report) : toTable(report));
 }

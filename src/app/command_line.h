@@ -70,6 +70,7 @@ struct BenchCommand {
     ViewArguments view;
     int frames = 60;
     int warmUp = 5;
+    bool settled = false; ///< a frame is drawn before each that counts
     std::vector<std::string> variants; ///< "key=value": one more configuration each
     const PaperTable* table = nullptr; ///< measures its rows instead; null: none asked for
     std::string json;

@@ -38,6 +38,14 @@ void visit(FieldVisitor& v, FrameOptions& o)
     v.field({"cull_chunks", "Leave out the chunks of the scene that the view cannot see"}, o.cullChunks);
 }
 
+void visit(FieldVisitor& v, DetailOptions& o)
+{
+    v.field({"pixels", "By how many pixels of a pass's target its geometry may be off: what is far away is drawn with fewer "
+                       "triangles. 0 draws everything in full detail",
+             "pixels", 0.0, 16.0},
+            o.pixels);
+}
+
 void visit(FieldVisitor& v, WaterOptions& o)
 {
     v.field({"enabled", "Draw the water and all that belongs to it; off shows the dry basin"}, o.enabled);
@@ -223,6 +231,7 @@ template <typename Group> void visitGroup(FieldVisitor& v, const char* name, con
 void visit(FieldVisitor& visitor, Options& options)
 {
     visitGroup(visitor, "frame", "The whole picture", options.frame);
+    visitGroup(visitor, "detail", "Levels of detail", options.detail);
     visitGroup(visitor, "water", "How the water's surface is drawn", options.water);
     visitGroup(visitor, "refraction", "What is seen through the water", options.refraction);
     visitGroup(visitor, "reflection", "What is seen mirrored in the water", options.reflection);

@@ -42,6 +42,10 @@ struct WaterOptions {
     float phongStrength = 2.0f;
 };
 
+struct DetailOptions {
+    float pixels = 0.5f;
+};
+
 enum class DepthFormat { depth16, depth24, depth32f };
 
 struct RefractionOptions {
@@ -127,6 +131,7 @@ struct StereoOptions {
 
 struct Options {
     FrameOptions frame;
+    DetailOptions detail;
     WaterOptions water;
     RefractionOptions refraction;
     ReflectionOptions reflection;

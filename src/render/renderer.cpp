@@ -24,6 +24,7 @@
 #include "render/read_back.h"
 #include "render/sun_views.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -159,6 +160,7 @@ struct Renderer::State {
     void drawBothEyes(const FrameInput& input);
     const gl::Target& displayed() const { return anaglyph ? *anaglyph : beside ? *beside : presentPass.target(); }
     void beginEye(const FrameInput& input, const Camera& head);
+    void allowErrors(ivec2 picture);
     void beginSunlight(const Camera& head);
     void drawTargets();
     void drawSunlight();
@@ -187,6 +189,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     // Programs that the first frame would otherwise wait for: the variants of a sunlit scene, where there is a sun.
     const bool sunlit = scene.sun && scene.sun->direction.y > 0.0f;
     const bool watery = scene.water.present && options.water.enabled;
+    if (options.detail.pixels > 0.0f) state_->gpuScene.wantDetail(progress);
     state_->painter.setWater(watery ? &scene.water : nullptr);
     state_->painter.setSunMaps({{}, nullptr, nullptr, options.sunlight.taps});
     PaintStyle lit;
@@ -224,6 +227,7 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
     water = body;
     if (wantsDepthComplexity(options) && !complexity) complexity = depthComplexity(scene, water);
     if (ditherCutOuts(options.frame)) gpuScene.wantShares();
+    if (options.detail.pixels > 0.0f && gpuScene.wantDetail(nullptr)) painter.setWater(water.present ? &water : nullptr);
     if (options.refraction.camera != RefractionOptions::CameraMode::flat || bedEdge <= longestBedEdge) return;
     options.refraction.camera = RefractionOptions::CameraMode::snell;
     if (!std::exchange(saidCoarse, true))
@@ -296,12 +300,24 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
         refractionViewBelow = tarn::refractionView(input.camera, aspect, water, options, true);
         reflectionViewBelow = tarn::reflectionView(input.camera, aspect, water, options.reflection, true);
     }
+    allowErrors(input.size);
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(stats.plan.waterGrid[axis]);
     frameBlock.update(light);
     wavesBlock.update(tarn::wavesBlock(water, input.time));
     painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
     beginSunlight(head);
+}
+
+/// How far off geometry may be in each view. The maps of heights hold full detail: what marches through them goes closer.
+void Renderer::State::allowErrors(ivec2 picture)
+{
+    const auto allow = [&](View& view, ivec2 size) {
+        view.geometryError = geometryErrorOf(view, size, options.detail.pixels);
+    };
+    allow(main, glm::max(picture, stats.plan[PassId::scene].size));
+    for (View* view : {&refractionView, &refractionViewBelow}) allow(*view, ivec2(options.refraction.targetSize));
+    for (View* view : {&reflectionView, &reflectionViewBelow}) allow(*view, ivec2(options.reflection.targetSize));
 }
 
 void Renderer::State::beginSunlight(const Camera& head)
@@ -321,10 +337,13 @@ void Renderer::State::drawSunlight()
     gl::PassScope scope(profiler, passName(PassId::sunlight));
     FrameStats::Pass& pass = stats.of(passName(PassId::sunlight));
     const SunlightPass::Inputs inputs{volume,      light.sunDirection, light.sunDirectionBelow,
-                                      water.level, lit.dithersCutOuts, light.hasWater > 0.5f};
+                                      water.level, lit.dithersCutOuts, light.hasWater > 0.5f, options.detail.pixels};
     if (sunlight.isStale(inputs, options.sunlight)) {
         const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
-            const View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
+            View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
+            // What clears a surface by the bias must still clear it.
+            view.geometryError = std::min(geometryErrorOf(view, ivec2(options.sunlight.mapSize), inputs.detail),
+                                          0.5f * shadowBias(volume, cascade, options.sunlight));
             viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
             sunlight.draw(layer, cascade, view, painter, inputs, options.sunlight, options.frame.cullChunks, pass);
         };
@@ -577,6 +596,8 @@ const HeightField* Renderer::heightField() const
 {
     return state_->stats.plan.raycastsBed ? &state_->heights.bed().field() : nullptr;
 }
+
+std::size_t Renderer::geometryBytes() const { return state_->gpuScene.geometryBytes(); }
 
 const View& Renderer::refractionView() const { return state_->refractionView; }
 

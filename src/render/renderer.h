@@ -114,6 +114,9 @@ public:
     /// The last frame's caustics texture as it is; nothing when the frame had none. Waits for the GPU.
     std::optional<CausticsMap> readCaustics() const;
 
+    /// What the scene's vertices and indices take in the graphics card's memory, with their levels of detail.
+    std::size_t geometryBytes() const;
+
     /// What the checking found in the last frame, in the order of the passes; only passes that made bad values.
     const std::vector<BadPixels>& badPixels() const;
 

@@ -231,6 +231,8 @@ test_json() {
     grep -q '"triangles"' a.json || fail "render's JSON does not count triangles"
     call 0 bench "$pool" --size 32x24 --frames 3 --json b.json
     grep -q '"renderer"' b.json && grep -q '"median' b.json || fail "bench's JSON lacks the machine or the median"
+    grep -q '"geometry_bytes": [1-9]' b.json && grep -q '"resident_bytes": [1-9]' b.json ||
+        fail "bench's JSON does not tell the memory"
     call 0 bench "$pool" --size 32x24 --frames 2 --table 2 --json c.json
     grep -q '^| caustics off ' "$work/stdout" || fail "bench --table 2 has no row without caustics"
     grep -q '"ours_over_thesis"' c.json || fail "the table's JSON does not compare with the thesis"
