@@ -128,7 +128,7 @@ TEST(MeshDetail, ErrorsGrowAndTrianglesShrinkTowardsTheRoots)
             EXPECT_TRUE(glm::all(glm::lessThanEqual(node.bounds.lower, under.bounds.lower)));
             EXPECT_TRUE(glm::all(glm::greaterThanEqual(node.bounds.upper, under.bounds.upper)));
         }
-        if (below > 0) EXPECT_LE(node.indexCount, below * 3 / 4);
+        EXPECT_LE(node.indexCount, below == 0 ? node.indexCount : below * 3 / 4);
     }
     std::multiset<int> parts;
     for (const int root : detail.roots) partsUnder(detail, root, parts, 4);

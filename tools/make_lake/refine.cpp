@@ -107,8 +107,8 @@ private:
         corner.position = positions_.of(a.position, b.position, [&] { return addPosition(a.position, b.position); });
         corner.uv = uvs_.of(a.uv, b.uv, [&] { return fine_.addUv(0.5f * (uv(a) + uv(b))); });
         corner.normal = normals_.of(a.normal, b.normal, [&] {
-            const vec3 sum = normal(a) + normal(b);
-            return fine_.addNormal(glm::length(sum) > 1e-3f ? sum : normal(a));
+            fine_.normals.push_back(0.5f * (normal(a) + normal(b))); // a renderer interpolates in a straight line, too
+            return static_cast<int>(fine_.normals.size()) - 1;
         });
         return corner;
     }
@@ -144,6 +144,7 @@ Mesh refined(const Mesh& mesh, Refinement refinement, float roughness, const std
     Mesh fine = mesh;
     for (int level = 0; level < refinement.levels; ++level)
         fine = Refiner(fine, roughness, settle).run();
+    for (vec3& normal : fine.normals) normal /= std::max(glm::length(normal), 1e-6f);
     return fine;
 }
 
