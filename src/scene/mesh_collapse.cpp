@@ -33,7 +33,7 @@ public:
               bool locksBorder)
         : vertices_(vertices), metresPerUv_(metresPerUv), corners_(indices.begin(), indices.end())
     {
-        findPlaces();
+        findPlaces(locksBorder);
         findLocked(locksBorder);
     }
 
@@ -47,7 +47,7 @@ public:
             const Candidate next = queue_.top();
             queue_.pop();
             if (next.stamp != stamp_[next.place]) continue;
-            if (isDirty_[next.place]) { // what is around it has changed since it was ranked
+            if (isDirty_[next.place] || !stillFits(next)) { // what is around it has changed since it was ranked
                 rank(next.place);
                 continue;
             }
@@ -74,19 +74,23 @@ private:
     const vec3& at(std::uint32_t vertex) const { return vertices_[vertex].position; }
     bool isGone(std::uint32_t triangle) const { return corners_[3 * triangle] == none; }
 
-    void findPlaces()
+    /// What shares a place is one surface; but not cards, which go through each other.
+    void findPlaces(bool isOneSurface)
     {
         std::unordered_map<vec3, std::uint32_t, PlaceHash> known;
         known.reserve(vertices_.size());
-        for (const Vertex& vertex : vertices_)
-            place_.push_back(known.try_emplace(vertex.position, static_cast<std::uint32_t>(known.size())).first->second);
-        triangles_.resize(known.size());
+        for (std::uint32_t i = 0; i < vertices_.size(); ++i)
+            place_.push_back(isOneSurface ? known.try_emplace(vertices_[i].position, static_cast<std::uint32_t>(known.size()))
+                                                .first->second
+                                          : i);
+        const std::size_t places = isOneSurface ? known.size() : vertices_.size();
+        triangles_.resize(places);
         for (std::uint32_t t = 0; t < corners_.size() / 3; ++t)
             for (std::size_t k = 0; k < 3; ++k) triangles_[placeOf(t, k)].push_back(t);
-        stamp_.resize(known.size());
-        isDirty_.resize(known.size());
-        carried_.resize(known.size());
-        isLocked_.resize(known.size());
+        stamp_.resize(places);
+        isDirty_.resize(places);
+        carried_.resize(places);
+        isLocked_.resize(places);
     }
 
     /// Borders, if they are to stay, and with them whatever is not a surface: edges of three triangles and more.
@@ -114,6 +118,12 @@ private:
         for (const std::uint32_t into : around_)
             if (const float cost = costOf(place, into, best.cost); cost < best.cost) best = {cost, place, into, best.stamp};
         if (best.into != none) queue_.push(best);
+    }
+
+    bool stillFits(const Candidate& candidate)
+    {
+        neighbours(candidate.place, around_);
+        return keepsTopology(candidate.place, candidate.into);
     }
 
     void neighbours(std::uint32_t place, std::vector<std::uint32_t>& list) const
@@ -197,14 +207,19 @@ private:
     }
 
     /// Two places may become one only when all they have in common are the triangles between them (the link condition,
-    /// Dey et al. 1999).
+    /// Dey et al. 1999), and when no third place hangs on one of these alone.
     bool keepsTopology(std::uint32_t place, std::uint32_t into)
     {
         std::size_t shared = 0;
-        for (const std::uint32_t t : triangles_[place]) shared += cornerAt(t, into) != none ? 1u : 0u;
+        for (const std::uint32_t t : triangles_[place]) {
+            if (cornerAt(t, into) == none) continue;
+            ++shared;
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const std::uint32_t p = placeOf(t, k); p != place && p != into && triangles_[p].size() == 1) return false;
+        }
         neighbours(into, aroundInto_);
         std::size_t common = 0;
-        for (const std::uint32_t p : around_) // rank() has listed what is around the place
+        for (const std::uint32_t p : around_) // what is around the place is listed already
             common += std::find(aroundInto_.begin(), aroundInto_.end(), p) != aroundInto_.end() ? 1u : 0u;
         return common == shared;
     }

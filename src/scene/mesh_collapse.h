@@ -15,8 +15,8 @@ struct Collapsed {
 };
 
 /// Half-edge collapses, each judged by how far the vertex that goes lies from the triangles that take its place, and how
-/// much colour, normal and texture differ there (vertex_shift.h). Vertices at one place with different normals or texture
-/// coordinates go together.
+/// much colour, normal and texture differ there (vertex_shift.h). Where borders are kept,
+/// vertices at one place with different normals or texture coordinates go together.
 /// @param vertices those of the piece only   @param indices its triangles
 /// @param locksBorder keep every edge that has no second triangle
 /// @param metresPerUv of the texture at each vertex

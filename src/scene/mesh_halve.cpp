@@ -62,7 +62,7 @@ Piece pieceOf(const Mesh& mesh, std::span<const std::uint32_t> indices)
     return piece;
 }
 
-/// For each vertex a number that all vertices joined to it by triangles, or in one place with it, share: a leaf, a stone.
+/// For each vertex a number that all vertices joined to it by triangles, or in one place with it, share: a tree, a stone.
 /// What was joined is compared with what came of it, not with a neighbour that happens to lie there.
 std::vector<std::uint32_t> bodies(const Piece& piece)
 {
@@ -84,7 +84,7 @@ std::vector<std::uint32_t> bodies(const Piece& piece)
     return parent;
 }
 
-/// How far the vertices of a piece, its surfaces' extremes, lie from what came of it.
+/// How far the vertices of a piece and the middles of its edges lie from what came of it.
 class DistanceMeter {
 public:
     DistanceMeter(const Piece& piece, std::span<const std::uint32_t> coarse)
@@ -104,7 +104,11 @@ public:
     {
         if (byBody_.empty()) return std::numeric_limits<float>::infinity();
         float most = 0.0f;
-        for (std::uint32_t vertex = 0; vertex < piece_.positions.size(); ++vertex) most = std::max(most, at(vertex));
+        for (std::uint32_t v = 0; v < piece_.positions.size(); ++v) most = std::max(most, at(piece_.positions[v], bodyOf_[v]));
+        for (std::size_t i = 0; i < piece_.indices.size(); ++i) {
+            const std::uint32_t a = piece_.indices[i], b = piece_.indices[i % 3 == 2 ? i - 2 : i + 1];
+            most = std::max(most, at(0.5f * (piece_.positions[a] + piece_.positions[b]), bodyOf_[a]));
+        }
         return most;
     }
 
@@ -118,11 +122,10 @@ private:
         for (std::size_t i = 0; i < byBody_.size(); ++i) byBody_[i] = triangles[i / 3][i % 3];
     }
 
-    float at(std::uint32_t vertex) const
+    float at(const vec3& place, std::uint32_t body) const
     {
-        const vec3& place = piece_.positions[vertex];
-        const auto found = surfaces_.find(bodyOf_[vertex]);
-        if (found == surfaces_.end()) return glm::length(extents_.at(bodyOf_[vertex]).extent()); // it is gone altogether
+        const auto found = surfaces_.find(body);
+        if (found == surfaces_.end()) return glm::length(extents_.at(body).extent()); // it is gone altogether
         return found->second.nearest(place).distance;
     }
 

@@ -61,7 +61,7 @@ TEST(Detail, DrawsTheSamePictureWithFewerTriangles)
     studio.setOptions(options, scene.water);
     const Image full = studio.linear(camera, size);
     const std::size_t many = sceneTriangles(studio.stats);
-    EXPECT_LT(few, many / 4);
+    EXPECT_LT(few, many / 3);
 
     double sum = 0.0, brightness = 0.0;
     std::size_t off = 0;
