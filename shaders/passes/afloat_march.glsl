@@ -8,7 +8,7 @@
 
 uniform sampler2D afloatHeights; // r: underside, g: top, b: what is seen from below, m; level n: least and largest of those
 uniform vec4 afloatRect;         // what it covers: centre x, z and half extent x, z, m
-uniform vec2 afloatRange;        // lowest and highest of all, m
+uniform float afloatHighest;     // over all of it, m
 
 const float afloatNothing = 1.0e4; // an underside over all: nothing stands there. Its negative: there is none
 
@@ -33,7 +33,7 @@ vec4 cellUndersides(vec4 under)
 float cellCrossing(ivec2 cell, vec3 from, vec3 along, float within, out float isUnder)
 {
     ivec2 last = textureSize(afloatHeights, 0) - 1;
-    ivec2 low = clamp(cell, ivec2(0), last), high = min(low + 1, last);
+    ivec2 low = clamp(cell, ivec2(0), last), high = clamp(cell + 1, ivec2(0), last);
     vec2 a = texelFetch(afloatHeights, low, 0).rg, b = texelFetch(afloatHeights, ivec2(high.x, low.y), 0).rg;
     vec2 c = texelFetch(afloatHeights, ivec2(low.x, high.y), 0).rg, d = texelFetch(afloatHeights, high, 0).rg;
     vec4 tops = vec4(a.y, b.y, c.y, d.y), under = cellUndersides(vec4(a.x, b.x, c.x, d.x));
@@ -58,7 +58,7 @@ AfloatHit findAfloat(vec3 from, vec3 direction)
 {
     const int firstLevel = 4; // what is mirrored stands farther off than the bed
     PyramidRay ray = pyramidRay(from, direction, afloatRect, textureSize(afloatHeights, 0));
-    float end = (afloatRange.y - from.y) / max(direction.y, 1.0e-6);
+    float end = (afloatHighest - from.y) / max(direction.y, 1.0e-6);
     float t = 0.0;
     int level = firstLevel;
     for (int i = 0; i < mostLooks && t < end; ++i) {
@@ -100,7 +100,7 @@ AfloatHit findAfloat(vec3 from, vec3 direction)
     for (int i = 0; i < mostSteps && isFound < 0.5; ++i) {
         before = here;
         here += stride;
-        if (any(greaterThan(abs(here.xz - afloatRect.xy), afloatRect.zw)) || here.y > afloatRange.y) break;
+        if (any(greaterThan(abs(here.xz - afloatRect.xy), afloatRect.zw)) || here.y > afloatHighest) break;
         groundBefore = ground;
         ground = marchedAfloat(here.xz);
         isFound = step(here.y, ground);

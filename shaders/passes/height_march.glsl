@@ -16,7 +16,7 @@ vec2 bedTexel(vec2 xz) { return mapTexel(xz, bedRect, textureSize(bedHeights, 0)
 vec4 bedCorners(ivec2 cell)
 {
     ivec2 last = textureSize(bedHeights, 0) - 1;
-    ivec2 low = clamp(cell, ivec2(0), last), high = min(low + 1, last);
+    ivec2 low = clamp(cell, ivec2(0), last), high = clamp(cell + 1, ivec2(0), last);
     return vec4(texelFetch(bedHeights, low, 0).r, texelFetch(bedHeights, ivec2(high.x, low.y), 0).r,
                 texelFetch(bedHeights, ivec2(low.x, high.y), 0).r, texelFetch(bedHeights, high, 0).r);
 }

@@ -20,7 +20,7 @@ vec3 groundRadiance(GroundHit ground, vec3 across, vec3 along)
     vec2 place = (ground.point.xz - bedRect.xy) * (0.5 / bedRect.zw) + 0.5;
     vec2 acrossMap = across.xz * (0.5 / bedRect.zw), alongMap = along.xz * (0.5 / bedRect.zw);
     vec3 bed = textureGrad(bedRadiance, place, acrossMap, alongMap).rgb;
-    return bed + textureGrad(bedResponse, place, acrossMap, alongMap).rgb * sunUnderwater(ground.point, across, along);
+    return bed + textureGrad(bedResponse, place, acrossMap, alongMap).rgb * sunUnderwater(ground.point, across, along, 0.0);
 }
 
 struct BedHit {

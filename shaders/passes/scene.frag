@@ -43,6 +43,11 @@ uniform float shininess;
 #ifdef TRANSMISSION
 uniform vec3 transmission; // of a thin leaf, as a share of its reflectance
 #endif
+#ifdef SHADOWS
+uniform float geometryError; // m by which what is drawn may be off, where the shadow maps are not
+#else
+const float geometryError = 0.0;
+#endif
 #ifdef ALPHA_TEST
 uniform float alpha;
 uniform float alphaCutoff;
@@ -114,8 +119,9 @@ vec3 sunAbove()
 {
 #ifdef SHADOWS
     vec2 slant = sunSlant(sunDirection);
-    return sunIrradiance * sunVisibilityInAir(sunPlane(positionW, waterLevel, slant), positionW.y,
-                                              sunPlaneGradient(cross(acrossW, alongW), slant));
+    vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), slant);
+    float height = positionW.y + geometryError * (1.0 + length(gradient));
+    return sunIrradiance * sunVisibilityInAir(sunPlane(positionW, waterLevel, slant), height, gradient);
 #else
     return sunIrradiance;
 #endif
@@ -176,7 +182,7 @@ void main()
 #ifdef FOR_MAP
         response.rgb = lit(n, toEye, sunDirectionBelow, vec3(1.0), albedo);
 #else
-        radiance += lit(n, toEye, sunDirectionBelow, sunUnderwater(positionW, acrossW, alongW), albedo);
+        radiance += lit(n, toEye, sunDirectionBelow, sunUnderwater(positionW, acrossW, alongW, geometryError), albedo);
 #endif
         radiance += albedo / lightPi * skyIrradianceAtDepth(skyBelow, absorption, depth, n);
     } else {

@@ -6,8 +6,8 @@ uniform sampler2D causticsMap;
 
 // Irradiance on a surface that faces the refracted sun: what waves gather where the caustics texture knows it, and what a
 // flat surface lets through elsewhere. Photons carry the shadows of what stands over the water with them.
-// across, along: from this point to that of the next pixel, m.
-vec3 sunUnderwater(vec3 point, vec3 across, vec3 along)
+// across, along: from this point to that of the next pixel, m. offBy: how far from the true bed the point may be, m.
+vec3 sunUnderwater(vec3 point, vec3 across, vec3 along, float offBy)
 {
     vec3 sun = sunBelow * beerLambert(absorption, (waterLevel - point.y) / max(sunDirectionBelow.y, 0.05));
 #if defined(SHADOWS) || defined(CAUSTICS)
@@ -23,8 +23,9 @@ vec3 sunUnderwater(vec3 point, vec3 across, vec3 along)
 #endif
 #ifdef SHADOWS
     vec2 gradient = sunPlaneGradient(cross(across, along), slant);
-    float visible = sunVisibility(submergedDepth, sunRect, plane, point.y, gradient, sunBiases.x);
-    if (gathered < 1.0) sun *= sunVisibility(afloatDepth, sunRect, plane, point.y, gradient, sunBiases.x);
+    float height = point.y + offBy * (1.0 + length(gradient));
+    float visible = sunVisibility(submergedDepth, sunRect, plane, height, gradient, sunBiases.x);
+    if (gathered < 1.0) sun *= sunVisibility(afloatDepth, sunRect, plane, height, gradient, sunBiases.x);
 #endif
 #ifdef CAUSTICS
     // The texture holds light through a level area relative to the same above the water.

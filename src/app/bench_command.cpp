@@ -2,10 +2,12 @@
 // thesis, measured here.
 #include "app/commands.h"
 #include "app/machine.h"
+#include "app/plan_report.h"
 #include "app/rendered_subject.h"
 #include "base/error.h"
 #include "measure/benchmark.h"
 #include "measure/paper_tables.h"
+#include "render/warm_up.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,7 +25,66 @@ Settings changed(Settings settings, const std::string& assignment, const char* o
 
 using Configuration = std::pair<std::string, Settings>;
 
-std::vector<Configuration> configurationsOf(const BenchCommand& command, const Settings& settings)
+/// In how many frames a rule applied.
+struct RuleShare {
+    RuleId id;
+    int frames = 0;
+    int of = 0;
+};
+
+std::vector<RuleShare> sharesOf(const RenderedSubject& subject)
+{
+    std::vector<RuleShare> shares;
+    for (std::size_t i = 0; i < ruleCount; ++i)
+        shares.push_back({static_cast<RuleId>(i), subject.ruleFrames()[i], subject.measuredFrames()});
+    return shares;
+}
+
+/// Of the frames that will be measured, drawn once with the settings as they are.
+std::vector<RuleShare> sharesBefore(const BenchCommand& command, Session& session, const Settings& settings,
+                                    const SubjectView& view)
+{
+    RenderedSubject subject("planned", session, settings, view);
+    for (int index = 0; index < command.frames; ++index) {
+        subject.prepare(index);
+        subject.draw(index);
+    }
+    return sharesOf(subject);
+}
+
+nlohmann::json toJson(const std::vector<RuleShare>& shares)
+{
+    nlohmann::json json = nlohmann::json::array();
+    for (const RuleShare& share : shares)
+        json.push_back({{"name", rule(share.id).name}, {"frames", share.frames}, {"of", share.of}});
+    return json;
+}
+
+std::string toTable(const std::vector<RuleShare>& shares)
+{
+    std::string text = "\nframes in which each rule of the plan applied\n";
+    for (const RuleShare& share : shares)
+        text += fmt::format("  {:<22}{:>5} of {}\n", rule(share.id).name, share.frames, share.of);
+    return text;
+}
+
+/// The frame without any plan, without each rule that applies, and last, as the base, with all of them.
+std::vector<Configuration> rulesOf(const Settings& settings, const std::vector<RuleShare>& applied)
+{
+    std::vector<Configuration> configurations;
+    configurations.emplace_back("full", changed(settings, "plan.enabled=false", "--rules"));
+    for (const RuleShare& share : applied) {
+        const std::string assignment = fmt::format("plan.{}=false", rule(share.id).name);
+        if (share.frames > 0 && share.id != RuleId::keepFrame) configurations.emplace_back(assignment, changed(settings, assignment, "--rules"));
+    }
+    configurations.emplace_back("planned", settings);
+    // Every second round the base follows itself, and still water would make it nothing but a kept picture.
+    for (auto& [name, each] : configurations) each = changed(each, "plan.keep_frame=false", "--rules");
+    return configurations;
+}
+
+std::vector<Configuration> configurationsOf(const BenchCommand& command, const Settings& settings,
+                                            const std::vector<RuleShare>& applied)
 {
     std::vector<Configuration> configurations;
     if (command.table) {
@@ -36,6 +97,7 @@ std::vector<Configuration> configurationsOf(const BenchCommand& command, const S
         }
         return configurations;
     }
+    if (command.rules) return rulesOf(settings, applied);
     configurations.emplace_back("water", settings);
     for (const std::string& variant : command.variants)
         configurations.emplace_back(variant, changed(settings, variant, "--vary"));
@@ -50,17 +112,25 @@ void run(const BenchCommand& command)
     requireWritableJson(command.json);
     TerminalProgress progress;
     const Stage stage = loadStage(command.scene, &progress);
-    const SubjectView view{chooseCamera(stage.scene, command.view.camera), command.view.time,
-                           command.view.size};
-    const std::vector<Configuration> configurations = configurationsOf(command, stage.settings);
+    const SubjectView view{.camera = chooseCamera(stage.scene, command.view.camera),
+                           .time = command.view.time,
+                           .size = command.view.size,
+                           .flight = command.flight ? stage.scene.cameras : std::vector<Camera>{},
+                           .frames = command.frames};
 
     Session session(stage, command.view.size, &progress);
+    if (command.flight) warmUp(session.renderer(), stage.settings.water);
+    std::vector<RuleShare> shares;
+    if (command.rules) shares = sharesBefore(command, session, stage.settings, view);
+    const std::vector<Configuration> configurations = configurationsOf(command, stage.settings, shares);
     std::vector<std::unique_ptr<BenchSubject>> subjects;
+    std::vector<const RenderedSubject*> rendered; // the same
     for (const auto& [name, settings] : configurations) {
-        if (command.table)
-            subjects.push_back(std::make_unique<SettledSubject>(name, session, settings, view));
-        else
-            subjects.push_back(std::make_unique<RenderedSubject>(name, session, settings, view));
+        std::unique_ptr<RenderedSubject> subject;
+        if (command.table || command.settled) subject = std::make_unique<SettledSubject>(name, session, settings, view);
+        else subject = std::make_unique<RenderedSubject>(name, session, settings, view);
+        rendered.push_back(subject.get());
+        subjects.push_back(std::move(subject));
     }
     BenchReport report =
         runBenchmark(subjects, {.frames = command.frames, .warmUp = command.warmUp}, &progress);
@@ -68,11 +138,23 @@ void run(const BenchCommand& command)
                       {"renderer", session.context().renderer()},
                       {"OpenGL", session.context().version()},
                       {"scene", stage.scene.file.string()},
-                      {"camera", view.camera.name},
+                      {"camera", command.flight ? "a flight past all of the scene's" : view.camera.name},
                       {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
-    writeJson(command.json, command.table ? toJson(*command.table, report) : toJson(report));
-    if (command.json != "-")
+    // The settings as given: the first, or with --rules the last of the configurations.
+    const RenderedSubject& given = command.rules ? *rendered.back() : *rendered.front();
+    shares = sharesOf(given);
+    nlohmann::json json = command.table ? toJson(*command.table, report) : toJson(report);
+    json["plan"] = toJson(given.plan());
+    json["rules"] = toJson(shares);
+    const ProcessMemory memory = processMemory();
+    json["memory"] = {{"resident_bytes", memory.resident},
+                      {"peak_bytes", memory.peak},
+                      {"geometry_bytes", session.renderer().geometryBytes()}};
+    writeJson(command.json, json);
+    if (command.json != "-") {
         fmt::print("{}", command.table ? toMarkdown(*command.table, report) : toTable(report));
+        if (!command.table) fmt::print("{}", toTable(shares));
+    }
 }
 
 } // namespace tarn

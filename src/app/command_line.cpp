@@ -267,8 +267,15 @@ std::function<Command()> defineBench(Flags& flags)
     addView(flags, command->view);
     flags.count("--frames", "Frames measured of each configuration", command->frames, 1, 1000000);
     flags.count("--warm-up", "Frames drawn first and not counted", command->warmUp, 0, 10000);
+    flags.toggle("--settled",
+                 "Draw a frame before each that counts, so that targets and maps of the sun that one configuration has and "
+                 "the next has not are made there",
+                 command->settled);
     flags.list("--vary", "KEY=VALUE", "Measure one more configuration, with this option set",
                command->variants);
+    flags.toggle("--flight", "Fly past the scene's cameras, from the first to the last, in the frames that are measured",
+                 command->flight);
+    flags.toggle("--rules", "Measure the frame plan: without each rule that applies, and without all of them", command->rules);
     flags.value("--table", "N", "Measure table 2 or 3 of Mihalik 2008, chapter 10, beside its figures",
                 [command = command.get()](const std::string& text, const std::string& flag) {
                     command->table = &findPaperTable(text, flag);
@@ -277,6 +284,8 @@ std::function<Command()> defineBench(Flags& flags)
     return [command] {
         if (command->table && !command->variants.empty())
             throw UsageError("--table has configurations of its own; leave --vary away");
+        if (command->table && (command->flight || command->rules))
+            throw UsageError("--table has a view and configurations of its own; leave --flight and --rules away");
         return *command;
     };
 }
@@ -290,7 +299,9 @@ std::function<Command()> defineTrade(Flags& flags)
                 "Folder of the results, the tables and report.html; made when it is not there",
                 [&c](const std::string& text, const std::string&) { c.out = text; });
     flags.list("--sweep", "KEY=VALUES",
-               "Sweep an option: 1:8, 1:64:*2, 0:1:0.25 or a,b,c; a plan of its own by default", c.sweeps);
+               "Sweep an option: 1:8, 1:64:*2, 0:1:0.25 or a,b,c, and a,b@OTHER=c while another is set; a plan of "
+               "its own by default",
+               c.sweeps);
     flags.toggle("--grid", "Every combination of the sweeps, instead of one option at a time", c.grid);
     flags.toggle("--presets-only", "Measure the options as given and the presets, and sweep nothing", c.presetsOnly);
     flags.value("--views", "NAMES", "Cameras, a,b,c; the scene's first eight by default",
@@ -373,6 +384,19 @@ std::function<Command()> defineExplain(Flags& flags)
     addView(flags, command->view);
     flags.text("--json", "FILE", jsonDoc, command->json);
     return [command] { return *command; };
+}
+
+std::function<Command()> defineMaps(Flags& flags)
+{
+    auto command = std::make_shared<MapsCommand>();
+    addScene(flags, command->scene);
+    flags.value("--out", "DIR", "Folder of bed.exr and afloat.exr; made when it is not there",
+                [command = command.get()](const std::string& text, const std::string&) { command->out = text; });
+    flags.text("--json", "FILE", jsonDoc, command->json);
+    return [command]() -> Command {
+        if (command->out.empty()) throw UsageError("maps needs --out DIR, a folder for bed.exr and afloat.exr");
+        return *command;
+    };
 }
 
 std::string parseToneCurve(const std::string& text, const std::string& flag)
@@ -465,6 +489,7 @@ constexpr CommandRow commands[] = {
     {"tune", "Find the settings that keep a limit of error or of time on this machine", defineTune},
     {"budget", "Say which part of a picture's error each approximation owns", defineBudget},
     {"explain", "Say which passes a frame runs, and why", defineExplain},
+    {"maps", "Write the maps of heights that rays are marched through, as pictures", defineMaps},
     {"compare", "Say how different two pictures are, to the eye and in their values", defineCompare},
     {"disparity", "Say how far a drawn pair's disparity is from the reference's pair", defineDisparity},
     {"options", "List every option", defineOptions},

@@ -70,7 +70,10 @@ struct BenchCommand {
     ViewArguments view;
     int frames = 60;
     int warmUp = 5;
+    bool settled = false; ///< a frame is drawn before each that counts
     std::vector<std::string> variants; ///< "key=value": one more configuration each
+    bool flight = false; ///< past all of the scene's cameras
+    bool rules = false;  ///< measures the plan's rules: without each, and without all of them
     const PaperTable* table = nullptr; ///< measures its rows instead; null: none asked for
     std::string json;
 };
@@ -126,6 +129,12 @@ struct ExplainCommand {
     std::string json;
 };
 
+struct MapsCommand {
+    SceneArguments scene;
+    std::filesystem::path out; ///< folder
+    std::string json;
+};
+
 struct CompareCommand {
     std::filesystem::path reference, test;
     std::filesystem::path out;      ///< the map of FLIP: .png as colours, .exr as values; empty: none
@@ -160,7 +169,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, CompareCommand, BenchCommand,
-                             DisparityCommand, TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, OptionsCommand,
+                             DisparityCommand, TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, MapsCommand, OptionsCommand,
                              InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a

@@ -16,6 +16,7 @@ void run(const TradeCommand& command);
 void run(const TuneCommand& command);
 void run(const BudgetCommand& command);
 void run(const ExplainCommand& command);
+void run(const MapsCommand& command);
 void run(const CompareCommand& command);
 void run(const DisparityCommand& command);
 void run(const OptionsCommand& command);

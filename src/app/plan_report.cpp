@@ -19,9 +19,20 @@ nlohmann::json toJson(const FramePlan& plan)
         }
         passes.push_back(std::move(entry));
     }
+    nlohmann::json rules = nlohmann::json::array();
+    for (std::size_t i = 0; i < ruleCount; ++i) {
+        const Rule& known = rule(static_cast<RuleId>(i));
+        rules.push_back({{"name", known.name},
+                         {"applies", plan.rules[i].applies},
+                         {"why", plan.rules[i].why},
+                         {"leaves_out", known.leavesOut},
+                         {"exact", known.bound == nullptr},
+                         {"bound", known.bound ? nlohmann::json(known.bound) : nlohmann::json(nullptr)}});
+    }
     return {{"underwater", plan.underwater},
             {"crossing", plan.side == WaterSide::crossing},
-            {"passes", std::move(passes)}};
+            {"passes", std::move(passes)},
+            {"rules", std::move(rules)}};
 }
 
 std::string toTable(const FramePlan& plan)
@@ -35,6 +46,13 @@ std::string toTable(const FramePlan& plan)
                             pass.wanted ? "yes" : "no", size, pass.reason);
         if (!pass.dependsOn.empty()) text += fmt::format(" (reads {})", pass.dependsOn);
         text += '\n';
+    }
+    text += "\nwhat is left out\n";
+    for (std::size_t i = 0; i < ruleCount; ++i) {
+        const Rule& known = rule(static_cast<RuleId>(i));
+        text += fmt::format("{:<22}{:<5}{:<13}{}\n", known.name, plan.rules[i].applies ? "yes" : "no",
+                            known.bound ? "approximate" : "exact", plan.rules[i].why);
+        if (known.bound) text += fmt::format("{:<40}at most {}\n", "", known.bound);
     }
     return text;
 }

@@ -5,6 +5,9 @@
 #include "app/stage.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "render/frame_light.h"
+#include "render/look_around.h"
+#include "scene/sky.h"
 
 #include <nlohmann/json.hpp>
 
@@ -95,9 +98,13 @@ void run(const ExplainCommand& command)
     std::optional<DepthComplexity> complexity;
     if (wantsDepthComplexity(stage.settings.options))
         complexity = depthComplexity(stage.scene, stage.settings.water);
-    const FramePlan plan =
-        planFrame(stage.scene, stage.settings.water, camera, stage.settings.options, command.view.size,
-                  command.view.time, complexity ? &*complexity : nullptr);
+    const Options& options = stage.settings.options;
+    const WaterBody& water = stage.settings.water;
+    const float aspect = static_cast<float>(command.view.size.x) / static_cast<float>(command.view.size.y);
+    const Sight sight = lookAround(listBoxes(stage.scene), stage.scene, water, camera, aspect, options,
+                                   frameBlock(stage.scene, water, SkyModel(stage.scene), options));
+    const FramePlan plan = planFrame(stage.scene, water, camera, options, command.view.size, command.view.time,
+                                     complexity ? &*complexity : nullptr, &sight);
     writeJson(command.json, toJson(plan));
     if (command.json != "-") fmt::print("{}", toTable(plan));
 }

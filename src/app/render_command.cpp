@@ -122,6 +122,7 @@ nlohmann::json statsJson(const FrameStats& stats, const Shot& shot, const std::v
                         {"camera", shot.camera.name},
                         {"time", shot.time},
                         {"triangles", stats.triangles()},
+                        {"passes", nlohmann::json::array()},
                         {"plan", toJson(stats.plan)}};
     for (const FrameStats::Pass& pass : stats.passes)
         json["passes"].push_back(

@@ -1,5 +1,10 @@
 #include "app/rendered_subject.h"
 
+#include "scene/flight.h"
+
+#include <algorithm>
+#include <utility>
+
 namespace tarn {
 
 namespace {
@@ -15,15 +20,26 @@ RenderedSubject::RenderedSubject(std::string name, Session& session, Settings se
 
 void RenderedSubject::draw(int index)
 {
+    drawAt(index);
+    plan_ = stats_->plan;
+    if (!std::exchange(isMeasured_, false)) return;
+    ++measuredFrames_;
+    for (std::size_t i = 0; i < ruleCount; ++i) ruleFrames_[i] += stats_->plan.rules[i].applies ? 1 : 0;
+}
+
+void RenderedSubject::drawAt(double index)
+{
     session_.renderer().setOptions(settings_.options, settings_.water);
-    stats_ = &session_.renderer().render({view_.camera, view_.time + index * secondsPerFrame, view_.size});
+    const Camera camera =
+        view_.flight.empty() ? view_.camera : flightCamera(view_.flight, index / std::max(view_.frames - 1, 1));
+    stats_ = &session_.renderer().render({camera, view_.time + index * secondsPerFrame, view_.size});
     finishGpu();
 }
 
 std::vector<BenchPass> RenderedSubject::drawPasses(int index)
 {
     session_.profiler().setSynchronous(true);
-    draw(index); // synchronous: its results are in when it ends
+    drawAt(index + 0.5); // synchronous: its results are in when it ends; of another moment, or it would be kept
     session_.profiler().setSynchronous(false);
     std::vector<BenchPass> passes;
     for (const gl::PassTime& time : session_.profiler().latest())

@@ -4,15 +4,20 @@
 #include "app/session.h"
 #include "measure/benchmark.h"
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace tarn {
 
-/// The picture that all configurations draw.
+/// The pictures that all configurations draw.
 struct SubjectView {
     Camera camera;
     double time = 0.0; ///< of the first frame, s; the waves move on from frame to frame
     ivec2 size{0};     ///< pixels
+    /// Of a flight (scene/flight.h) in place of the one above; empty: the eye stands still.
+    std::vector<Camera> flight{};
+    int frames = 1; ///< that the flight takes
 };
 
 /// All subjects share a renderer, so that textures and buffers are those of one program.
@@ -22,17 +27,33 @@ public:
     RenderedSubject(std::string name, Session& session, Settings settings, const SubjectView& view);
 
     std::string name() const override { return name_; }
+    void prepare(int /*index*/) override { isMeasured_ = true; }
     void draw(int index) override;
     std::vector<BenchPass> drawPasses(int index) override;
+
+    /// In how many of the measured frames each rule of the plan applied, and how many there were.
+    const std::array<int, ruleCount>& ruleFrames() const { return ruleFrames_; }
+    int measuredFrames() const { return measuredFrames_; }
+    /// Of the last frame.
+    const FramePlan& plan() const { return plan_; }
 
 private:
     std::uint64_t triangles(const std::string& pass) const;
 
+protected:
+    /// @param index of a frame, or of a moment between two
+    void drawAt(double index);
+
+private:
     std::string name_;
     Session& session_;
     Settings settings_;
     const SubjectView& view_;
     const FrameStats* stats_ = nullptr;
+    FramePlan plan_;
+    bool isMeasured_ = false; ///< the next frame that draw() draws
+    std::array<int, ruleCount> ruleFrames_{};
+    int measuredFrames_ = 0;
 };
 
 /// Draws a frame before each that counts: the subject before had targets of another size, and making them
@@ -40,7 +61,11 @@ private:
 class SettledSubject : public RenderedSubject {
 public:
     using RenderedSubject::RenderedSubject;
-    void prepare(int index) override { draw(index); }
+    void prepare(int index) override
+    {
+        drawAt(index - 0.5); // the same moment would be kept
+        RenderedSubject::prepare(index);
+    }
 };
 
 } // namespace tarn

@@ -55,8 +55,13 @@ std::string contentOf(const Scene& scene)
         faces += mesh.indices.size() / 3;
     }
     std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
-    for (const char c : readFile(scene.file))
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    const auto add = [&hash](const std::string& text) {
+        for (const char c : text)
+            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    };
+    add(readFile(scene.file));
+    for (const GivenMap* map : {&scene.maps.bed, &scene.maps.afloat})
+        if (map->picture) add(readFile(map->picture->file));
     return fmt::format("{} vertices, {} faces, file {:016x}", vertices, faces, hash);
 }
 

@@ -72,7 +72,7 @@ void run(const TuneCommand& command)
     for (const auto& [name, index] : setup.plan.presets)
         addPoint(request.candidates, setup.plan.points[index]);
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
-        request.sweeps.push_back(swept.sweep);
+        if (swept.sweep.with.empty()) request.sweeps.push_back(swept.sweep); // the search changes one option at a time
 
     const auto lab = makeTradeLab(stage, {.views = views,
                                            .size = command.size,

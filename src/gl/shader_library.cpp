@@ -85,6 +85,7 @@ std::shared_ptr<Program> ShaderLibrary::program(const std::string& name, const s
     Entry entry{{}, name, vertexFile, fragmentFile, defines, {}, {}};
     const std::shared_ptr<Program> result(new Program(name));
     result->adopt(build(entry), bindings_);
+    ++built_;
     entry.program = result;
     watch(entry);
     entries_.push_back(std::move(entry));
@@ -125,6 +126,8 @@ bool ShaderLibrary::rebuild(Entry& entry)
     std::vector<std::string> previousFiles = entry.files;
     try {
         program->adopt(build(entry), bindings_);
+        ++built_;
+        ++rebuilt_;
         if (!entry.error.empty()) log::info("program \"{}\" compiles again", entry.name);
         entry.error.clear();
         return true;

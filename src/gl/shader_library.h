@@ -44,6 +44,11 @@ public:
     /// HUD.
     const std::string& lastError() const { return lastError_; }
 
+    /// How many programs were built so far, again for edited files too.
+    std::size_t built() const { return built_; }
+    /// How many of them because a file changed: what was drawn before may look otherwise now.
+    std::size_t rebuilt() const { return rebuilt_; }
+
     const std::filesystem::path& root() const { return root_; }
 
 private:
@@ -68,6 +73,7 @@ private:
     std::map<std::string, std::filesystem::file_time_type>
         times_; ///< of every watched file; min() when missing
     std::vector<std::string> changed_;
+    std::size_t built_ = 0, rebuilt_ = 0;
     std::string lastError_;
     std::chrono::steady_clock::time_point lastPoll_{};
 };

@@ -16,7 +16,7 @@ nlohmann::json summaryJson(const std::vector<double>& samples)
     if (samples.empty()) return nullptr;
     const Summary s = summarise(samples);
     return {{"count", s.count}, {"minimum", s.minimum}, {"median", s.median},
-            {"mean", s.mean},   {"p95", s.p95},         {"maximum", s.maximum}};
+            {"mean", s.mean},   {"p95", s.p95},         {"p99", s.p99},       {"maximum", s.maximum}};
 }
 
 nlohmann::json seriesJson(const BenchSeries& series)
@@ -65,6 +65,8 @@ nlohmann::json toJson(const BenchReport& report)
         json["ratios"].push_back({{"of", result.name},
                                   {"to", base.name},
                                   {"wall", medianRatio(result.frame.wallMs, base.frame.wallMs)},
+                                  {"total_wall", totalRatio(result.frame.wallMs, base.frame.wallMs)},
+                                  {"total_cpu", totalRatio(result.frame.cpuMs, base.frame.cpuMs)},
                                   {"cpu", medianRatio(result.frame.cpuMs, base.frame.cpuMs)}});
     }
     return json;
@@ -87,9 +89,11 @@ std::string toTable(const BenchReport& report)
     const BenchResult& base = report.results.back();
     for (std::size_t i = 0; i + 1 < report.results.size(); ++i) {
         const BenchResult& result = report.results[i];
-        text += fmt::format("\n{} costs {:.2f} x {} (wall time) and {:.2f} x (processor time)\n", result.name,
-                            medianRatio(result.frame.wallMs, base.frame.wallMs), base.name,
-                            medianRatio(result.frame.cpuMs, base.frame.cpuMs));
+        text += fmt::format("\n{} costs {:.2f} x {} (wall time) and {:.2f} x (processor time); in all {:.3f} and {:.3f}\n",
+                            result.name, medianRatio(result.frame.wallMs, base.frame.wallMs), base.name,
+                            medianRatio(result.frame.cpuMs, base.frame.cpuMs),
+                            totalRatio(result.frame.wallMs, base.frame.wallMs),
+                            totalRatio(result.frame.cpuMs, base.frame.cpuMs));
     }
     return text;
 }

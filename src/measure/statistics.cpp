@@ -46,14 +46,32 @@ Summary summarise(std::span<const double> samples)
     summary.median = percentileOfSorted(sorted, 0.5);
     summary.mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
     summary.p95 = percentileOfSorted(sorted, 0.95);
+    summary.p99 = percentileOfSorted(sorted, 0.99);
     summary.maximum = sorted.back();
     return summary;
 }
 
-double medianRatio(std::span<const double> a, std::span<const double> b)
+namespace
+{
+
+void requirePairs(std::span<const double> a, std::span<const double> b)
 {
     if (a.size() != b.size())
         throw Error("{} samples cannot be paired with {}; measure as many of each", a.size(), b.size());
+    if (a.empty()) throw Error("no samples to compare; measure at least one frame");
+}
+
+} // namespace
+
+double totalRatio(std::span<const double> a, std::span<const double> b)
+{
+    requirePairs(a, b);
+    return std::accumulate(a.begin(), a.end(), 0.0) / std::accumulate(b.begin(), b.end(), 0.0);
+}
+
+double medianRatio(std::span<const double> a, std::span<const double> b)
+{
+    requirePairs(a, b);
     std::vector<double> ratios(a.size());
     std::transform(a.begin(), a.end(), b.begin(), ratios.begin(), [](double x, double y) { return x / y; });
     return percentile(ratios, 0.5);

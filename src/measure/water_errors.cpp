@@ -84,14 +84,44 @@ double mean(const std::vector<double>& values)
     return sum / static_cast<double>(values.size());
 }
 
+/// Whether a ray that was marched through the map of heights came more than a texel past the place where it first meets
+/// what the map holds, or did not find it. The ray is that of the frame: from U to W.
+bool stepsOver(const WaterQuantities& used, std::size_t pixel)
+{
+    const dvec3 from(used.surface[pixel]), way = dvec3(used.place[pixel]) - from;
+    const double marched = glm::length(way);
+    if (marched < 1.0e-4) return false; // under the ground from the start
+    // The ray is lifted by what single precision may lose of a height, so that one which only grazes an edge counts as
+    // passing it.
+    constexpr double lift = 1.0e-3;
+    const auto met = used.heights->firstMeeting(from + dvec3(0.0, lift, 0.0), way / marched);
+    return met && (!used.hasSample[pixel] || marched > *met + static_cast<double>(used.heights->texel()));
+}
+
+/// What comes of the map of heights, over the pixels whose rays went through it: those seen from above.
+void addMarched(ErrorFigures& figures, const WaterQuantities& used, const reference::Picture& truth)
+{
+    if (!used.heights) return;
+    std::size_t marched = 0, hidden = 0, steppedOver = 0;
+    for (std::size_t pixel = 0; pixel < used.pixels(); ++pixel) {
+        if (!showWater(used, truth, pixel) || !truth.has(pixel, Event::refractionHit) || truth.has(pixel, Event::fromBelow))
+            continue;
+        ++marched;
+        hidden += !used.heights->holds(truth.refractionHit[pixel], 0.05f);
+        steppedOver += stepsOver(used, pixel);
+    }
+    if (marched == 0) return;
+    figures.refractionHidden = static_cast<double>(hidden) / static_cast<double>(marched);
+    figures.refractionSteppedOver = static_cast<double>(steppedOver) / static_cast<double>(marched);
+}
+
 void addRefraction(ErrorFigures& figures, const WaterQuantities& used, const reference::Picture& truth)
 {
-    std::size_t refracted = 0, invalid = 0, over5cm = 0, overTexel = 0, hidden = 0;
+    std::size_t refracted = 0, invalid = 0, over5cm = 0, overTexel = 0;
     const std::vector<double> errors = errorsOf(ErrorKind::refraction, used, truth, [&](std::size_t pixel) {
         const bool valid = used.hasSample[pixel];
         const double error = refractionError(used, truth, pixel);
         ++refracted;
-        hidden += used.heights && !used.heights->holds(truth.refractionHit[pixel], 0.05f);
         invalid += !valid;
         over5cm += !valid || error > 0.05;
         overTexel += !valid || error > used.footprint.at(truth.refractionHit[pixel]);
@@ -102,7 +132,6 @@ void addRefraction(ErrorFigures& figures, const WaterQuantities& used, const ref
         return static_cast<double>(count) / static_cast<double>(refracted);
     };
     figures.refractionInvalid = share(invalid);
-    if (used.heights) figures.refractionHidden = share(hidden);
     figures.refractionWrong5cm = share(over5cm);
     figures.refractionWrongTexel = share(overTexel);
     if (errors.empty()) return;
@@ -174,6 +203,7 @@ ErrorFigures errorFigures(const WaterQuantities& used, const reference::Picture&
     const auto all = [](std::size_t) { return true; };
     ErrorFigures figures;
     addRefraction(figures, used, truth);
+    addMarched(figures, used, truth);
     addReflection(figures, used, truth);
     if (const auto errors = errorsOf(ErrorKind::fresnel, used, truth, all); !errors.empty()) {
         figures.fresnelMean = mean(errors);

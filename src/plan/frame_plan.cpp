@@ -1,7 +1,10 @@
 #include "plan/frame_plan.h"
 
 #include "optics/waves.h"
+#include "plan/reduce.h"
 #include "plan/stereo.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,13 +121,10 @@ PassPlan wanted(std::string reason, ivec2 size, std::string dependsOn)
 PassPlan unwanted(std::string reason) { return {false, std::move(reason), ivec2(0), ""}; }
 
 /// Why no water is drawn, or nothing when it is.
-std::string whyNoWater(const WaterBody& water, const Camera& camera, const Options& options, ivec2 size)
+std::string whyNoWater(const WaterBody& water, const Options& options)
 {
     if (!water.present) return "the scene has no water";
     if (!options.water.enabled) return "water.enabled is off";
-    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-    const Frustum frustum(clipFromView(camera, aspect) * viewFromWorld(camera));
-    if (!frustum.intersects(waterBounds(water))) return "no water in the view's frustum";
     return "";
 }
 
@@ -193,9 +193,34 @@ const char* presentReason(StereoOptions::Output output)
     return "tone mapping to the display";
 }
 
+/// The maps of heights that are marched through: drawn, or given.
+void planHeights(FramePlan& plan, const Options& options, const SceneMaps& maps)
+{
+    if (!plan.raycastsBed && !plan.raycastsMirror) {
+        plan[PassId::heights] = unwanted("no ray is marched: neither method takes a map, or the eye is under water");
+        return;
+    }
+    const HeightMapPicture* const bed = plan.raycastsBed && maps.bed.picture ? &*maps.bed.picture : nullptr;
+    const HeightMapPicture* const afloat = plan.raycastsMirror && maps.afloat.picture ? &*maps.afloat.picture : nullptr;
+    const bool drawsBed = plan.raycastsBed && !bed, drawsAfloat = plan.raycastsMirror && !afloat;
+    std::string reason = plan.raycastsBed && plan.raycastsMirror ? "rays are marched through the bed and what stands over the water"
+                         : plan.raycastsBed                      ? "refracted rays are marched through the bed"
+                                                                 : "mirrored rays are marched through what stands over the water";
+    int edge = drawsBed || drawsAfloat ? options.heights.mapSize : 0;
+    for (const HeightMapPicture* given : {bed, afloat})
+        if (given) {
+            reason += fmt::format("; {} gives the map '{}'", given->file.filename().string(), mapName(given->kind));
+            edge = std::max(edge, given->edge);
+        }
+    if (drawsBed || drawsAfloat) reason += "; drawn when scene, sun or water changed";
+    plan[PassId::heights] = wanted(std::move(reason), ivec2(edge),
+                                   drawsAfloat && plan[PassId::sunlight].wanted ? "sunlight" : "");
+}
+
 /// Which maps of heights are marched through, and with them the target of either kind: seen from above a map takes its
 /// place.
-void planWaterLookups(FramePlan& plan, const Options& options, const LookupChoice& bed, const LookupChoice& mirror)
+void planWaterLookups(FramePlan& plan, const Options& options, const SceneMaps& maps, const LookupChoice& bed,
+                      const LookupChoice& mirror)
 {
     const bool fromAbove = plan.side != WaterSide::below, fromBelow = plan.side != WaterSide::above;
     const RefractionOptions& refraction = options.refraction;
@@ -233,18 +258,7 @@ void planWaterLookups(FramePlan& plan, const Options& options, const LookupChoic
             wanted(chosen("what the surface mirrors", "what the surface mirrors, from above and from below",
                           "the bed mirrored in the surface from below"),
                    reflectionSize, "");
-    const bool raycasts = plan.raycastsBed || plan.raycastsMirror;
-    plan[PassId::heights] =
-        raycasts ? wanted(plan.raycastsBed && plan.raycastsMirror
-                              ? "rays are marched through the bed and what stands over the water; drawn when scene, sun "
-                                "or water changed"
-                          : plan.raycastsBed ? "refracted rays are marched through the bed; drawn when scene, sun or "
-                                               "water changed"
-                                             : "mirrored rays are marched through what stands over the water; drawn when "
-                                               "scene, sun or water changed",
-                          ivec2(options.heights.mapSize),
-                          plan.raycastsMirror && plan[PassId::sunlight].wanted ? "sunlight" : "")
-                 : unwanted("no ray is marched: neither method takes a map, or the eye is under water");
+    planHeights(plan, options, maps);
     const auto explain = [&](PassId pass, const LookupChoice& choice) {
         if (fromAbove && !choice.why.empty()) plan[pass].reason += " (" + choice.why + ")";
     };
@@ -257,7 +271,7 @@ ivec2 glowSize(ivec2 size, const Options& options) { return glm::max(size / opti
 } // namespace
 
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-                    ivec2 size, double time, const DepthComplexity* complexity)
+                    ivec2 size, double time, const DepthComplexity* complexity, const Sight* sight)
 {
     FramePlan plan;
     plan[PassId::scene] = wanted("what the eye sees, without the water", size * options.frame.supersampling, "");
@@ -280,12 +294,13 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     if (plan.side == WaterSide::crossing)
         plan[PassId::scene].reason = "what the eye sees, without the water; each pixel on its side of the waterline";
 
-    const std::string noWater = whyNoWater(water, camera, options, size);
+    const std::string noWater = whyNoWater(water, options);
     planSunlight(plan, scene, noWater, options);
     if (!noWater.empty()) {
         for (const PassId pass :
              {PassId::heights, PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
             plan[pass] = unwanted(noWater);
+        reducePlan(plan, scene, water, camera, options, size, sight);
         return plan;
     }
 
@@ -293,14 +308,16 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
                                         "the surface cuts the near plane: drawn from both sides",
                                         "the surface seen from below"),
                                  size * options.frame.supersampling, "scene");
-    planWaterLookups(plan, options, chooseRefraction(options, water, camera, size, complexity),
+    const HeightMapPicture* const givenBed = scene.maps.bed.picture ? &*scene.maps.bed.picture : nullptr;
+    planWaterLookups(plan, options, scene.maps, chooseRefraction(options, water, camera, size, complexity, givenBed),
                      chooseReflection(options, complexity));
-    for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection})
-        if (plan[pass].wanted) plan[PassId::water].dependsOn += std::string(", ") + passName(pass);
     const std::string noGlow = whyNoGlow(scene, plan, options);
     plan[PassId::glow] = noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options), "water")
                                         : unwanted(noGlow);
-    if (noGlow.empty()) plan[PassId::present].dependsOn = "scene, water, glow";
+    reducePlan(plan, scene, water, camera, options, size, sight);
+    for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection})
+        if (plan[PassId::water].wanted && plan[pass].wanted) plan[PassId::water].dependsOn += std::string(", ") + passName(pass);
+    if (plan[PassId::glow].wanted) plan[PassId::present].dependsOn = "scene, water, glow";
     return plan;
 }
 

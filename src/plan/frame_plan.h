@@ -4,6 +4,7 @@
 #include "optics/water_grid.h"
 #include "plan/lookup_choice.h"
 #include "plan/options.h"
+#include "plan/sight.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -40,6 +41,10 @@ struct FramePlan {
     bool raycastsBed = false, raycastsMirror = false; ///< from above, through which of the maps of heights
     bool targetsBed = true, targetsMirror = true; ///< from above, in which of the targets; from below it is always both
 
+    RuleStates rules; ///< by RuleId: what is left out, and why
+
+    RuleState& rule(RuleId id) { return rules[static_cast<std::size_t>(id)]; }
+    const RuleState& rule(RuleId id) const { return rules[static_cast<std::size_t>(id)]; }
     const PassPlan& operator[](PassId pass) const { return passes[static_cast<std::size_t>(pass)]; }
     PassPlan& operator[](PassId pass) { return passes[static_cast<std::size_t>(pass)]; }
 };
@@ -66,7 +71,9 @@ WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, con
 
 /// @param camera of one eye, in stereo   @param size of the picture, or of one eye's, pixels   @param time seconds
 /// @param complexity what the methods auto go by; null where none is
+/// @param sight what the rules go by; null: nothing is known of what the cameras see
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-                    ivec2 size, double time, const DepthComplexity* complexity = nullptr);
+                    ivec2 size, double time, const DepthComplexity* complexity = nullptr,
+                    const Sight* sight = nullptr);
 
 } // namespace tarn

@@ -37,18 +37,24 @@ LookupChoice target(std::string why) { return {false, true, std::move(why)}; }
 LookupChoice map(std::string why) { return {true, false, std::move(why)}; }
 LookupChoice both(std::string why) { return {true, true, std::move(why)}; }
 
+/// Of the bed's map, the longer edge, m.
+float texelOf(const HeightsOptions& options, const WaterBody& water, const HeightMapPicture* given)
+{
+    if (given) return std::max(given->extent.x, given->extent.y) / static_cast<float>(given->edge);
+    return (std::max(water.extent.x, water.extent.y) + 2.0f * options.border) / static_cast<float>(options.mapSize);
+}
+
 } // namespace
 
 LookupChoice chooseRefraction(const Options& options, const WaterBody& water, const Camera& camera, ivec2 size,
-                              const DepthComplexity* complexity)
+                              const DepthComplexity* complexity, const HeightMapPicture* given)
 {
     using Method = RefractionOptions::Method;
     if (options.refraction.method != Method::automatic) return named(options.refraction.method);
     if (!complexity) return target("auto: whether a map can hold the bed is not known");
     const std::string hidden = fmt::format("{:.1f} % of the bed lies under something else", 100.0 * complexity->bed);
     if (complexity->bed > mostHidden) return both(fmt::format("auto: {}, where the target is asked", hidden));
-    const float texel = (std::max(water.extent.x, water.extent.y) + 2.0f * options.heights.border) /
-                        static_cast<float>(options.heights.mapSize);
+    const float texel = texelOf(options.heights, water, given);
     const float pixel = pixelAtNearestWater(water, camera, size);
     const std::string texels = fmt::format("a texel of the map is {:.1f} cm, and a pixel of the nearest water {:.1f} cm",
                                            100.0f * texel, 100.0f * pixel);

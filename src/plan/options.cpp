@@ -35,7 +35,14 @@ void visit(FieldVisitor& v, FrameOptions& o)
     v.field({"supersampling", "Shaded pixels along one edge of a pixel of the picture; 1 is off", "pixels", 1, 8},
             o.supersampling);
     v.field({"anisotropy", "Largest anisotropy of texture filtering; 1 is off", "", 1.0, 16.0}, o.anisotropy);
-    v.field({"cull_chunks", "Leave out the chunks of the scene that the view cannot see"}, o.cullChunks);
+}
+
+void visit(FieldVisitor& v, DetailOptions& o)
+{
+    v.field({"pixels", "By how many pixels of a pass's target its geometry may be off: what is far away is drawn with fewer "
+                       "triangles. 0 draws everything in full detail and makes no levels",
+             "pixels", 0.0, 16.0},
+            o.pixels);
 }
 
 void visit(FieldVisitor& v, WaterOptions& o)
@@ -212,6 +219,18 @@ void visit(FieldVisitor& v, StereoOptions& o)
             o.convergence);
 }
 
+void visit(FieldVisitor& v, PlanOptions& o)
+{
+    v.field({"enabled", "Leave out of each frame what its picture does not need; off draws everything that the options "
+                        "ask for, anew in each frame"},
+            o.enabled);
+    v.field({"exact", "Apply only rules that lose nothing, and none that is declared approximate"}, o.exact);
+    for (std::size_t i = 0; i < ruleCount; ++i) {
+        const Rule& known = rule(static_cast<RuleId>(i));
+        v.field({known.name, known.leavesOut}, o.rules[i]);
+    }
+}
+
 template <typename Group> void visitGroup(FieldVisitor& v, const char* name, const char* doc, Group& group)
 {
     v.enter(name, doc);
@@ -223,7 +242,9 @@ template <typename Group> void visitGroup(FieldVisitor& v, const char* name, con
 
 void visit(FieldVisitor& visitor, Options& options)
 {
+    visitGroup(visitor, "plan", "What a frame may leave out", options.plan);
     visitGroup(visitor, "frame", "The whole picture", options.frame);
+    visitGroup(visitor, "detail", "Levels of detail", options.detail);
     visitGroup(visitor, "water", "How the water's surface is drawn", options.water);
     visitGroup(visitor, "refraction", "What is seen through the water", options.refraction);
     visitGroup(visitor, "reflection", "What is seen mirrored in the water", options.reflection);

@@ -4,6 +4,9 @@
 #include "base/fields.h"
 #include "base/math.h"
 #include "optics/fresnel_table.h"
+#include "plan/rules.h"
+
+#include <array>
 
 namespace tarn {
 
@@ -14,7 +17,7 @@ struct FrameOptions {
     int msaa = 4;
     int supersampling = 1;
     float anisotropy = 8.0f;
-    bool cullChunks = true;
+    bool operator==(const FrameOptions&) const = default;
 };
 
 struct WaterOptions {
@@ -40,6 +43,12 @@ struct WaterOptions {
     Specular specular = Specular::physical;
     float phongExponent = 256.0f;
     float phongStrength = 2.0f;
+    bool operator==(const WaterOptions&) const = default;
+};
+
+struct DetailOptions {
+    float pixels = 0.0f;
+    bool operator==(const DetailOptions&) const = default;
 };
 
 enum class DepthFormat { depth16, depth24, depth32f };
@@ -56,6 +65,7 @@ struct RefractionOptions {
     float clipOffset = 0.1f;
     float fovExtensionNear = 1.5f;
     float fovExtensionFar = 1.2f;
+    bool operator==(const RefractionOptions&) const = default;
 };
 
 struct ReflectionOptions {
@@ -70,6 +80,7 @@ struct ReflectionOptions {
     float clipOffset = 0.1f;
     float fovExtensionNear = 1.5f;
     float fovExtensionFar = 1.2f;
+    bool operator==(const ReflectionOptions&) const = default;
 };
 
 struct HeightsOptions {
@@ -81,6 +92,7 @@ struct HeightsOptions {
     float unit = 1.0f;
     Filter filter = Filter::nearest;
     int refine = 0;
+    bool operator==(const HeightsOptions&) const = default;
 };
 
 struct SunlightOptions {
@@ -90,6 +102,7 @@ struct SunlightOptions {
     DepthFormat depth = DepthFormat::depth24;
     int taps = 2;
     float bias = 0.02f;
+    bool operator==(const SunlightOptions&) const = default;
 };
 
 struct CausticsOptions {
@@ -101,12 +114,14 @@ struct CausticsOptions {
     int steps = 2;
     int filter = 2;
     float extent = 0.0f;
+    bool operator==(const CausticsOptions&) const = default;
 };
 struct UnderwaterOptions {
     enum class Refraction { paper, exact };
     bool enabled = true;
     Refraction refraction = Refraction::exact;
     float distance = 1.5f; ///< m of eqs. 13 and 15
+    bool operator==(const UnderwaterOptions&) const = default;
 };
 struct GlowOptions {
     bool enabled = true;
@@ -114,6 +129,7 @@ struct GlowOptions {
     vec3 colour{1.0f, 1.0f, 0.8f};
     float strength = 1.0f;
     int divisor = 8;
+    bool operator==(const GlowOptions&) const = default;
 };
 
 struct StereoOptions {
@@ -123,10 +139,27 @@ struct StereoOptions {
     float convergence = 5.0f;
 
     bool isOn() const { return output != Output::off; }
+    bool operator==(const StereoOptions&) const = default;
+};
+
+/// What the frame plan may leave out (plan/rules.h).
+struct PlanOptions {
+    bool enabled = true;
+    bool exact = false;
+    std::array<bool, ruleCount> rules = allRules(); ///< by RuleId
+
+    /// Whether a rule may be applied.
+    bool allows(RuleId id) const
+    {
+        return enabled && rules[static_cast<std::size_t>(id)] && !(exact && rule(id).bound);
+    }
+    bool operator==(const PlanOptions&) const = default;
 };
 
 struct Options {
+    PlanOptions plan;
     FrameOptions frame;
+    DetailOptions detail;
     WaterOptions water;
     RefractionOptions refraction;
     ReflectionOptions reflection;
@@ -136,6 +169,7 @@ struct Options {
     UnderwaterOptions underwater;
     GlowOptions glow;
     StereoOptions stereo;
+    bool operator==(const Options&) const = default;
 };
 
 void visit(FieldVisitor& visitor, Options& options);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace tarn {
 
@@ -29,7 +30,8 @@ void GpuScene::uploadMeshes()
         gpu.vertices = gl::Buffer(mesh.name + " vertices");
         gpu.vertices.upload(std::span(mesh.vertices));
         gpu.indices = gl::Buffer(mesh.name + " indices");
-        gpu.indices.upload(std::span(mesh.indices));
+        uploadIndices(i, {});
+        geometryBytes_ += gpu.vertices.size() + gpu.indices.size();
         gpu.array = gl::VertexArray(mesh.name);
         gpu.array.attributes(gpu.vertices, sizeof(Vertex),
                              {{0, 3, offsetof(Vertex, position)},
@@ -39,6 +41,36 @@ void GpuScene::uploadMeshes()
                               {4, 4, offsetof(Vertex, colour), gl::Attribute::Type::unorm8}});
         gpu.array.indices(gpu.indices);
     }
+}
+
+/// A mesh's own triangles, and further ones of the same vertices after them.
+void GpuScene::uploadIndices(std::size_t mesh, const std::vector<std::uint32_t>& further)
+{
+    const std::vector<std::uint32_t>& own = scene_.meshes[mesh].indices;
+    gl::Buffer& buffer = meshes_[mesh].indices;
+    if (further.empty()) return buffer.upload(std::span(own));
+    std::vector<std::uint32_t> all;
+    all.reserve(own.size() + further.size());
+    all.insert(all.end(), own.begin(), own.end());
+    all.insert(all.end(), further.begin(), further.end());
+    buffer.upload(std::span(std::as_const(all)));
+}
+
+bool GpuScene::wantDetail(Progress* progress)
+{
+    if (std::exchange(hasDetail_, true)) return false;
+    std::vector<MeshDetail> details(scene_.meshes.size());
+    for (std::size_t i = 0; i < details.size(); ++i) {
+        const Mesh& mesh = scene_.meshes[i];
+        if (progress)
+            progress->report(static_cast<double>(i) / static_cast<double>(details.size()),
+                             "making levels of detail of " + mesh.name);
+        details[i] = buildDetail(mesh, scene_.materials);
+        if (!details[i].indices.empty()) uploadIndices(i, details[i].indices);
+        geometryBytes_ += sizeof(std::uint32_t) * details[i].indices.size();
+    }
+    chunks_ = listChunks(scene_, instances_, details);
+    return true;
 }
 
 void GpuScene::uploadTextures(Progress* progress)

@@ -23,7 +23,8 @@ public:
 
     const Scene& scene() const { return scene_; }
     const std::vector<Instance>& instances() const { return instances_; }
-    const std::vector<Chunk>& chunks() const { return chunks_; }
+    /// Levels of detail are among them after wantDetail().
+    const Chunks& chunks() const { return chunks_; }
     const SkyModel& sky() const { return sky_; }
     const gl::Texture& skyMap() const { return skyMap_; }
     const gl::VertexArray& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)].array; }
@@ -36,6 +37,12 @@ public:
     /// Uploads what shares() gives, once.
     void wantShares();
 
+    /// Makes and uploads levels of detail of every mesh, once. True when there were none before.
+    bool wantDetail(Progress* progress);
+
+    /// Of vertices and indices, as uploaded.
+    std::size_t geometryBytes() const { return geometryBytes_; }
+
     /// The water's normal map (render/normal_map.h), or null.
     const gl::Texture* waterNormals() const { return waterNormals_ ? &waterNormals_ : nullptr; }
 
@@ -43,6 +50,7 @@ public:
 
 private:
     void uploadMeshes();
+    void uploadIndices(std::size_t mesh, const std::vector<std::uint32_t>& further);
     void uploadTextures(Progress* progress);
     gl::Texture uploaded(int image, MapUse use, CutOutLevels levels) const;
     void bakeSky();
@@ -54,7 +62,9 @@ private:
 
     const Scene& scene_;
     std::vector<Instance> instances_;
-    std::vector<Chunk> chunks_;
+    Chunks chunks_;
+    bool hasDetail_ = false;
+    std::size_t geometryBytes_ = 0;
     SkyModel sky_;
     std::vector<GpuMesh> meshes_;
     using TextureKey = std::pair<int, MapUse>;

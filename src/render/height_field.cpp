@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace tarn {
 
@@ -51,6 +52,53 @@ float HeightField::at(vec2 xz) const
 float HeightField::texel() const
 {
     return 2.0f * std::max(rect.halfExtent.x, rect.halfExtent.y) / static_cast<float>(edge);
+}
+
+namespace {
+
+/// Metres to where a ray leaves the cell that it is in, by the side that it nears.
+double untilNextCell(double place, double cell, double way)
+{
+    if (way == 0.0) return std::numeric_limits<double>::infinity();
+    return ((way > 0.0 ? cell + 1.0 : cell) - place) / way;
+}
+
+glm::dvec4 cornersOf(const HeightField& field, const glm::dvec2& cell)
+{
+    const ivec2 last(field.edge - 1);
+    const ivec2 low = glm::clamp(ivec2(cell), ivec2(0), last), high = glm::clamp(ivec2(cell) + 1, ivec2(0), last);
+    return {texelAt(field, low.x, low.y), texelAt(field, high.x, low.y), texelAt(field, low.x, high.y),
+            texelAt(field, high.x, high.y)};
+}
+
+} // namespace
+
+std::optional<double> HeightField::firstMeeting(const glm::dvec3& from, const glm::dvec3& direction) const
+{
+    using glm::dvec2, glm::dvec3;
+    const dvec2 texels = 0.5 * static_cast<double>(edge) / dvec2(rect.halfExtent); // per metre
+    const dvec2 start = (dvec2(from.x, from.z) - dvec2(rect.centre) + dvec2(rect.halfExtent)) * texels - 0.5;
+    const dvec3 along(dvec2(direction.x, direction.z) * texels, direction.y);
+    constexpr double nothing = 1.0e-3; // m over `lowest`, within which nothing lies
+    const double end = (from.y - static_cast<double>(lowest) - nothing) / std::max(-direction.y, 1.0e-9);
+    dvec2 cell = glm::floor(start);
+    for (double t = 0.0; t < end;) {
+        const dvec2 place = start + t * dvec2(along);
+        if (glm::any(glm::lessThan(place, dvec2(-0.5))) ||
+            glm::any(glm::greaterThan(place, dvec2(static_cast<double>(edge) - 0.5))))
+            return std::nullopt;
+        // Which side is next is worked out from the start for every cell, so that rounding does not add up.
+        const double nextX = untilNextCell(start.x, cell.x, along.x), nextZ = untilNextCell(start.y, cell.y, along.y);
+        const double next = std::min(nextX, nextZ);
+        const double within = std::max(std::min(next, end) - t, 0.0);
+        const dvec3 inCell(place - cell, from.y + t * direction.y);
+        const double met = optics64::patchCrossing(cornersOf(*this, cell), inCell, along, within);
+        if (met >= 0.0) return t + met;
+        if (nextX <= nextZ) cell.x += along.x > 0.0 ? 1.0 : -1.0;
+        if (nextZ <= nextX) cell.y += along.y > 0.0 ? 1.0 : -1.0;
+        t = std::max(t, next);
+    }
+    return std::nullopt;
 }
 
 std::vector<std::vector<float>> largestHeights(const HeightField& field)

@@ -3,6 +3,7 @@
 
 #include "render/sun_views.h"
 
+#include <optional>
 #include <vector>
 
 namespace tarn {
@@ -20,6 +21,10 @@ struct HeightField {
     bool holds(const vec3& point, float tolerance) const;
     /// Of a texel, the longer edge, m.
     float texel() const;
+    /// How far along a ray it first meets the surface between the heights, m, or nothing where it leaves the map or comes
+    /// within a millimetre of `lowest` before. Cell by cell and in double precision: what marches are held against.
+    /// @param direction unit, going down
+    std::optional<double> firstMeeting(const glm::dvec3& from, const glm::dvec3& direction) const;
 };
 
 /// Level n - 1 of the result holds, for each block of 2^n by 2^n cells between centres, the largest of the heights at the

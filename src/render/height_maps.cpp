@@ -1,5 +1,6 @@
 #include "render/height_maps.h"
 
+#include "base/log.h"
 #include "render/frame_light.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ HeightsPass::Inputs bedInputs(const HeightMaps::Inputs& frame)
     inputs.lowest = frame.volume.lowest;
     inputs.highest = water.level + std::max(frame.options.refraction.clipOffset, totalAmplitude(water));
     inputs.light = lastingLight(frame.light);
-    inputs.cull = frame.options.frame.cullChunks;
+    inputs.cull = frame.options.plan.allows(RuleId::cullChunks);
     return inputs;
 }
 
@@ -32,8 +33,26 @@ AfloatHeightsPass::Inputs afloatInputs(const HeightMaps::Inputs& frame)
     inputs.highest = frame.volume.highest;
     inputs.light = lastingLight(frame.light);
     inputs.lit = frame.lit;
-    inputs.cull = frame.options.frame.cullChunks;
+    inputs.cull = frame.options.plan.allows(RuleId::cullChunks);
     return inputs;
+}
+
+MapLight mapLight(const blocks::FrameBlock& light)
+{
+    return {light.sunDirection, light.sunIrradiance, vec3(light.skyIrradiance[0]),
+            light.waterLevel,   light.ior,           light.absorption};
+}
+
+/// What its colours hold cannot follow: the sun's direction in the bed's response, all light in what stands over the water.
+/// Returns whether there was something to say.
+bool sayOtherLight(const HeightMapPicture& map, const MapLight& now)
+{
+    if (!map.light) return false;
+    const std::string others = map.light->difference(now);
+    if (others.empty()) return false;
+    log::warning("{}: {} changed since this map was made, and it shows the light of then; make it anew with tarn maps",
+                 map.file.string(), others);
+    return true;
 }
 
 } // namespace
@@ -41,32 +60,57 @@ AfloatHeightsPass::Inputs afloatInputs(const HeightMaps::Inputs& frame)
 void HeightMaps::draw(const Inputs& frame, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
                       FrameStats::Pass& stats)
 {
-    const HeightsOptions& options = frame.options.heights;
-    const ivec2 size(powerOfTwo(options.mapSize));
+    light_ = mapLight(frame.light);
+    const auto take = [this](auto& pass, const HeightMapPicture& picture) {
+        if (!pass.isGiven()) pass.take(picture);
+        if (!saidOther_.contains(picture.kind) && sayOtherLight(picture, light_)) saidOther_.insert(picture.kind);
+    };
     if (frame.plan.raycastsMirror) {
-        using From = AfloatHeightsPass::From;
-        const AfloatHeightsPass::Inputs inputs = afloatInputs(frame);
-        if (afloat_.isStale(inputs, options)) {
-            for (const From from : {From::above, From::below}) {
-                const View view = AfloatHeightsPass::view(inputs, from);
-                viewBlock.update(tarn::viewBlock(view, size));
-                afloat_.draw(from, view, painter, inputs, options, stats);
-            }
-            afloat_.readHeights(inputs);
-        }
+        if (const auto& given = frame.given.afloat.picture) take(afloat_, *given);
+        else drawAfloat(frame, painter, viewBlock, stats);
     }
     if (frame.plan.raycastsBed) {
-        const HeightsPass::Inputs inputs = bedInputs(frame);
-        if (bed_.isStale(inputs, options)) {
-            const View bed = HeightsPass::view(inputs, HeightsPass::Part::bed);
-            viewBlock.update(tarn::viewBlock(bed, size));
-            bed_.drawBed(bed, painter, inputs, options, stats);
-            const View over = HeightsPass::view(inputs, HeightsPass::Part::over);
-            viewBlock.update(tarn::viewBlock(over, size));
-            bed_.countSolid(over, painter, options, stats);
-            bed_.readHeights(inputs);
-        }
+        if (const auto& given = frame.given.bed.picture) take(bed_, *given);
+        else drawBed(frame, painter, viewBlock, stats);
     }
+}
+
+void HeightMaps::drawAfloat(const Inputs& frame, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
+                            FrameStats::Pass& stats)
+{
+    using From = AfloatHeightsPass::From;
+    const HeightsOptions& options = frame.options.heights;
+    const AfloatHeightsPass::Inputs inputs = afloatInputs(frame);
+    if (frame.options.plan.allows(RuleId::keepMaps) && !afloat_.isStale(inputs, options)) return;
+    for (const From from : {From::above, From::below}) {
+        const View view = AfloatHeightsPass::view(inputs, from);
+        viewBlock.update(tarn::viewBlock(view, ivec2(powerOfTwo(options.mapSize))));
+        afloat_.draw(from, view, painter, inputs, options, stats);
+    }
+    afloat_.readHeights(inputs);
+}
+
+void HeightMaps::drawBed(const Inputs& frame, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
+                         FrameStats::Pass& stats)
+{
+    const HeightsOptions& options = frame.options.heights;
+    const ivec2 size(powerOfTwo(options.mapSize));
+    const HeightsPass::Inputs inputs = bedInputs(frame);
+    if (frame.options.plan.allows(RuleId::keepMaps) && !bed_.isStale(inputs, options)) return;
+    const View bed = HeightsPass::view(inputs, HeightsPass::Part::bed);
+    viewBlock.update(tarn::viewBlock(bed, size));
+    bed_.drawBed(bed, painter, inputs, options, stats);
+    const View over = HeightsPass::view(inputs, HeightsPass::Part::over);
+    viewBlock.update(tarn::viewBlock(over, size));
+    bed_.countSolid(over, painter, options, stats);
+    bed_.readHeights(inputs);
+}
+
+HeightMapPicture HeightMaps::picture(MapKind kind) const
+{
+    HeightMapPicture picture = kind == MapKind::bed ? bed_.picture() : afloat_.picture();
+    picture.light = light_;
+    return picture;
 }
 
 } // namespace tarn

@@ -1,11 +1,14 @@
 // The maps of heights of a frame whose rays are marched: of the bed, and of what stands over the water. Each is drawn
-// again only when scene, sun or water change.
+// again only when scene, sun or water change, or given as a picture and never drawn.
 #pragma once
 
 #include "gl/buffer.h"
 #include "plan/frame_plan.h"
 #include "render/passes/heights.h"
 #include "render/passes/heights_afloat.h"
+#include "scene/scene.h"
+
+#include <set>
 
 namespace tarn {
 
@@ -19,6 +22,7 @@ public:
         const SunVolume& volume;
         const blocks::FrameBlock& light;
         const PaintStyle& lit; ///< the sun's maps must be there for it
+        const SceneMaps& given;
     };
 
     void draw(const Inputs& inputs, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
@@ -26,10 +30,19 @@ public:
 
     const HeightsPass& bed() const { return bed_; }
     const AfloatHeightsPass& afloat() const { return afloat_; }
+    /// A map that is there, with the light that it was drawn in. Waits for the GPU.
+    HeightMapPicture picture(MapKind kind) const;
 
 private:
+    void drawBed(const Inputs& inputs, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
+                 FrameStats::Pass& stats);
+    void drawAfloat(const Inputs& inputs, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
+                    FrameStats::Pass& stats);
+
     HeightsPass bed_;
     AfloatHeightsPass afloat_;
+    MapLight light_; ///< of the last frame
+    std::set<MapKind> saidOther_; ///< of which given maps it was said that they were made in another light
 };
 
 } // namespace tarn

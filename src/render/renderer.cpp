@@ -4,14 +4,18 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "gl/workarounds.h"
+#include "plan/reduce.h"
 #include "render/bed_detail.h"
 #include "render/bindings.h"
 #include "render/frame_light.h"
 #include "render/height_maps.h"
+#include "render/kept.h"
+#include "render/look_around.h"
 #include "render/passes/caustics.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
 #include "render/passes/glow.h"
+#include "render/passes/hidden_water.h"
 #include "render/passes/present.h"
 #include "render/passes/reflection.h"
 #include "render/passes/refraction.h"
@@ -24,6 +28,7 @@
 #include "render/read_back.h"
 #include "render/sun_views.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -83,26 +88,40 @@ std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
 
 namespace {
 
+/// Whether a frame runs a pass that the one before did not, or may not have.
+bool wantsMore(const FramePlan& plan, const FramePlan& before)
+{
+    if (before.rule(RuleId::waterHidden).applies) return true;
+    for (std::size_t i = 0; i < passCount; ++i)
+        if (plan.passes[i].wanted && !before.passes[i].wanted) return true;
+    return false;
+}
+
 /// Foliage by chance of its share of a pixel is right in the mean of several pixels, and noise where one must do.
 bool ditherCutOuts(const FrameOptions& options) { return options.supersampling > 1; }
+
+/// Levels of detail leave something out, and approximately.
+bool allowsDetail(const Options& options) { return options.plan.enabled && !options.plan.exact; }
 
 } // namespace
 
 struct Renderer::State {
-    State(const Scene& s, const Options& o, gl::ShaderLibrary& shaders, gl::Profiler& p, Progress* progress)
-        : scene(s), options(o), water(s.water), profiler(p), gpuScene(s, anisotropyFor(o.frame), progress),
-          painter(gpuScene, shaders), causticsPass(shaders), waterPass(shaders), waterline(shaders),
-          glowPass(shaders), downsample(shaders), presentPass(shaders), debugCopy(shaders), stereo(shaders)
+    State(const Scene& s, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p, Progress* progress)
+        : scene(s), options(o), water(s.water), shaders(library), profiler(p),
+          gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), causticsPass(shaders),
+          waterPass(shaders), waterline(shaders), hiddenWater(shaders), glowPass(shaders), downsample(shaders), presentPass(shaders), debugCopy(shaders), stereo(shaders)
     {
     }
 
     const Scene& scene;
     Options options;
     WaterBody water;
+    gl::ShaderLibrary& shaders;
     gl::Profiler& profiler;
     GpuScene gpuScene;
     ScenePainter painter;
     Bounds bounds; ///< of the scene, world space
+    std::vector<SceneBox> boxes = listBoxes(scene);
     float bedEdge = 0.0f; ///< m; of the triangles under water
     std::optional<DepthComplexity> complexity; ///< once a method is auto
     bool saidCoarse = false; ///< that they are too large for refraction.camera = flat
@@ -127,11 +146,14 @@ struct Renderer::State {
     WaterGrid waterGrid;
     WaterPass waterPass;
     WaterlinePass waterline;
+    HiddenWaterPass hiddenWater;
     GlowPass glowPass;
     DownsamplePass downsample;
     PresentPass presentPass;
     DebugCopyPass debugCopy;
     StereoPass stereo;
+
+    Kept kept;
 
     FrameStats stats;
     bool checking = false;
@@ -141,15 +163,19 @@ struct Renderer::State {
     const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
     const gl::Target* beside = nullptr; ///< both eyes' displayed halves, or null for one eye
     const gl::Target* anaglyph = nullptr; ///< made of them, or null
+    bool hasSunlight = false; ///< this frame's maps of the sun are drawn, or kept
     bool hasCaustics = false; ///< this frame's caustics are drawn; they are the same for both eyes
 
     // Of this frame, or of the eye that is being drawn.
     ivec2 drawnSize{1};      ///< of the frame, pixels: the picture's or a multiple of it
     View main, refractionView, reflectionView;
     View refractionViewBelow, reflectionViewBelow;
+    Sight sight;
+    bool looksUpAnew = true; ///< maps and targets are not as the last frame left them
     bool isBelow = false;    ///< all of the picture begins under water
     bool isCrossing = false; ///< some of it does: the views above are of the air's side, those Below of the water's
     blocks::FrameBlock light{};
+    blocks::WavesBlock waves{};
     SunVolume volume;
     CausticsRegion region;
     PaintStyle lit; ///< what of the sun's light the passes look up
@@ -159,8 +185,12 @@ struct Renderer::State {
     void drawBothEyes(const FrameInput& input);
     const gl::Target& displayed() const { return anaglyph ? *anaglyph : beside ? *beside : presentPass.target(); }
     void beginEye(const FrameInput& input, const Camera& head);
+    void allowErrors(ivec2 picture);
     void beginSunlight(const Camera& head);
-    void drawTargets();
+    void drawMaps();
+    void drawTargets(const FrameInput& input);
+    void drawWaterIfSeen(const FrameInput& input);
+    SunlightPass::Inputs sunlightInputs() const;
     void drawSunlight();
     SunMaps sunMaps(const gl::Texture* causticsMap) const;
     void drawCaustics();
@@ -187,6 +217,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     // Programs that the first frame would otherwise wait for: the variants of a sunlit scene, where there is a sun.
     const bool sunlit = scene.sun && scene.sun->direction.y > 0.0f;
     const bool watery = scene.water.present && options.water.enabled;
+    if (options.detail.pixels > 0.0f && allowsDetail(options)) state_->gpuScene.wantDetail(progress);
     state_->painter.setWater(watery ? &scene.water : nullptr);
     state_->painter.setSunMaps({{}, nullptr, nullptr, options.sunlight.taps});
     PaintStyle lit;
@@ -201,6 +232,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     main.alphaToCoverage = options.frame.msaa > 1 && !lit.dithersCutOuts;
     state_->painter.prepare(main, false);
     if (watery) state_->painter.prepare(lit, true);
+    if (watery) state_->hiddenWater.prepare();
     state_->bedEdge = coarseEdgeUnderWater(scene, scene.water);
     state_->takeOptions(options, scene.water);
 }
@@ -221,9 +253,11 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
         complexity.reset();
     }
     options = wanted;
+    if (!allowsDetail(options)) options.detail.pixels = 0.0f;
     water = body;
     if (wantsDepthComplexity(options) && !complexity) complexity = depthComplexity(scene, water);
     if (ditherCutOuts(options.frame)) gpuScene.wantShares();
+    if (options.detail.pixels > 0.0f && gpuScene.wantDetail(nullptr)) painter.setWater(water.present ? &water : nullptr);
     if (options.refraction.camera != RefractionOptions::CameraMode::flat || bedEdge <= longestBedEdge) return;
     options.refraction.camera = RefractionOptions::CameraMode::snell;
     if (!std::exchange(saidCoarse, true))
@@ -246,10 +280,22 @@ const FrameStats& Renderer::render(const FrameInput& input)
     s.profiler.beginFrame();
     s.stats.passes.clear();
     s.bad.clear();
+    const Moment moment = momentOf(input, s.options, s.water, s.shaders.rebuilt());
+    if (s.kept.beginFrame(moment, s.options.plan, !s.checking)) {
+        s.stats.plan.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
+        s.profiler.endFrame();
+        return s.stats;
+    }
     s.beside = s.anaglyph = nullptr;
-    s.hasCaustics = false;
-    if (s.options.stereo.isOn()) s.drawBothEyes(input);
-    else s.drawEye(input, input.camera);
+    s.hasSunlight = s.hasCaustics = false;
+    try {
+        if (s.options.stereo.isOn()) s.drawBothEyes(input);
+        else s.drawEye(input, input.camera);
+    } catch (...) {
+        s.kept.forget();
+        throw;
+    }
+    s.kept.endFrame();
     s.profiler.endFrame();
     return s.stats;
 }
@@ -258,9 +304,9 @@ const FrameStats& Renderer::render(const FrameInput& input)
 void Renderer::State::drawEye(const FrameInput& input, const Camera& head)
 {
     beginEye(input, head);
-    if (!input.sameMoment) drawTargets();
+    if (looksUpAnew) drawMaps();
     drawScene(input);
-    if (stats.plan[PassId::water].wanted) drawWater(input);
+    drawWaterIfSeen(input);
     if (stats.plan[PassId::glow].wanted) drawGlow(input);
     present(input);
 }
@@ -282,11 +328,19 @@ void Renderer::State::drawBothEyes(const FrameInput& input)
 
 void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
 {
-    stats.plan = planFrame(scene, water, input.camera, options, input.size, input.time,
-                           complexity ? &*complexity : nullptr);
+    const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
+    light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
+    sight = lookAround(boxes, scene, water, input.camera, aspect, options, light);
+    sight.waterWasHidden = hiddenWater.wasHidden() && !checking && !input.sameMoment;
+    Options allowed = options;
+    if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
+    const FramePlan before = std::move(stats.plan);
+    stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
+                           complexity ? &*complexity : nullptr, &sight);
+    // What the last frame left out, a debug view of the same moment may want to show.
+    looksUpAnew = !input.sameMoment || wantsMore(stats.plan, before);
     glow = nullptr;
     sideOfPixels = nullptr;
-    const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     isBelow = stats.plan.side == WaterSide::below;
     isCrossing = stats.plan.side == WaterSide::crossing;
     main = mainView(input.camera, aspect);
@@ -296,12 +350,24 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
         refractionViewBelow = tarn::refractionView(input.camera, aspect, water, options, true);
         reflectionViewBelow = tarn::reflectionView(input.camera, aspect, water, options.reflection, true);
     }
-    light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
+    allowErrors(input.size);
     for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(stats.plan.waterGrid[axis]);
     frameBlock.update(light);
-    wavesBlock.update(tarn::wavesBlock(water, input.time));
+    waves = tarn::wavesBlock(water, input.time);
+    wavesBlock.update(waves);
     painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
     beginSunlight(head);
+}
+
+/// How far off geometry may be in each view. The maps of heights hold full detail: what marches through them goes closer.
+void Renderer::State::allowErrors(ivec2 picture)
+{
+    const auto allow = [&](View& view, ivec2 size) {
+        view.geometryError = geometryErrorOf(view, size, options.detail.pixels);
+    };
+    allow(main, glm::max(picture, stats.plan[PassId::scene].size));
+    for (View* view : {&refractionView, &refractionViewBelow}) allow(*view, ivec2(options.refraction.targetSize));
+    for (View* view : {&reflectionView, &reflectionViewBelow}) allow(*view, ivec2(options.reflection.targetSize));
 }
 
 void Renderer::State::beginSunlight(const Camera& head)
@@ -316,17 +382,26 @@ void Renderer::State::beginSunlight(const Camera& head)
     lit.caustics = stats.plan[PassId::caustics].wanted;
 }
 
+SunlightPass::Inputs Renderer::State::sunlightInputs() const
+{
+    return {volume,      light.sunDirection, light.sunDirectionBelow,
+            water.level, lit.dithersCutOuts, light.hasWater > 0.5f, options.detail.pixels};
+}
+
 void Renderer::State::drawSunlight()
 {
     gl::PassScope scope(profiler, passName(PassId::sunlight));
     FrameStats::Pass& pass = stats.of(passName(PassId::sunlight));
-    const SunlightPass::Inputs inputs{volume,      light.sunDirection, light.sunDirectionBelow,
-                                      water.level, lit.dithersCutOuts, light.hasWater > 0.5f};
-    if (sunlight.isStale(inputs, options.sunlight)) {
+    const SunlightPass::Inputs inputs = sunlightInputs();
+    const bool holds = !sunlight.isStale(inputs, options.sunlight);
+    if (!std::exchange(hasSunlight, true) && !kept.map(PassId::sunlight, holds)) {
         const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
-            const View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
+            View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
+            // What clears a surface by the bias must still clear it.
+            view.geometryError = std::min(geometryErrorOf(view, ivec2(options.sunlight.mapSize), inputs.detail),
+                                          0.5f * shadowBias(volume, cascade, options.sunlight));
             viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
-            sunlight.draw(layer, cascade, view, painter, inputs, options.sunlight, options.frame.cullChunks, pass);
+            sunlight.draw(layer, cascade, view, painter, inputs, options.sunlight, options.plan.allows(RuleId::cullChunks), pass);
         };
         for (std::size_t cascade = 0; cascade < volume.cascades.size(); ++cascade)
             draw(SunLayer::afloat, cascade, inputs.toSun);
@@ -369,7 +444,7 @@ void Renderer::State::drawCaustics()
                            .absorption = water.absorption,
                            .surfaceMovesSideways = movesSideways(water, light.sunDirection, cell)},
                           pass);
-    hasCaustics = true;
+    kept.causticsWereDrawn();
     check(PassId::caustics, caustics);
 }
 
@@ -385,24 +460,55 @@ void Renderer::State::check(PassId pass, const gl::Target& target)
     if (BadPixels found = checkTarget(passName(pass), target); found.any()) bad.push_back(std::move(found));
 }
 
-/// What the scene and the water look up.
-void Renderer::State::drawTargets()
+/// What the scene and the water look up that does not depend on the eye, or little.
+void Renderer::State::drawMaps()
 {
     if (stats.plan[PassId::sunlight].wanted) drawSunlight();
     if (stats.plan[PassId::caustics].wanted) {
-        if (!hasCaustics) drawCaustics();
+        if (!std::exchange(hasCaustics, true) && !kept.caustics({sunlightInputs(), region, light, waves})) drawCaustics();
         painter.setSunMaps(sunMaps(&causticsPass.target().colour()));
     }
     if (stats.plan[PassId::heights].wanted) drawHeights();
-    if (stats.plan[PassId::refraction].wanted) drawRefraction();
-    if (stats.plan[PassId::reflection].wanted) drawReflection();
+    kept.tell(stats.plan, RuleId::keepMaps);
+}
+
+/// What the water alone looks up.
+void Renderer::State::drawTargets(const FrameInput& input)
+{
+    const auto keeps = [&](PassId pass, bool receives) {
+        const bool showsCaustics = stats.plan.side != WaterSide::above || receives;
+        return kept.target(pass, input.camera, stats.plan.side, lit.caustics, showsCaustics);
+    };
+    if (stats.plan[PassId::refraction].wanted && !keeps(PassId::refraction, sight.refractionReceives)) drawRefraction();
+    if (stats.plan[PassId::reflection].wanted && !keeps(PassId::reflection, sight.reflectionReceives)) drawReflection();
+    kept.tell(stats.plan, RuleId::keepTargets);
+}
+
+/// In a frame that may hide the water, its own depth decides, on the GPU, whether anything is drawn here.
+void Renderer::State::drawWaterIfSeen(const FrameInput& input)
+{
+    const bool isAsked = stats.plan.rule(RuleId::waterHidden).applies;
+    if (isAsked) {
+        gl::PassScope scope(profiler, passName(PassId::water));
+        viewBlock.update(tarn::viewBlock(main, drawnSize));
+        hiddenWater.ask(frame, waterBounds(water), main.eye);
+    }
+    std::optional<gl::VisibilityQuery::Condition> ifSeen;
+    if (isAsked) ifSeen.emplace(hiddenWater.query());
+    if (looksUpAnew) drawTargets(input);
+    if (stats.plan[PassId::water].wanted) {
+        std::optional<gl::VisibilityQuery::Scope> counting;
+        if (!isAsked && stats.plan.side == WaterSide::above) counting.emplace(hiddenWater.query());
+        drawWater(input);
+    }
+    if (isAsked) kept.forgetTargets(); // the GPU alone knows whether they were drawn
 }
 
 void Renderer::State::drawHeights()
 {
     gl::PassScope scope(profiler, passName(PassId::heights));
     FrameStats::Pass& pass = stats.of(passName(PassId::heights));
-    const HeightMaps::Inputs inputs{stats.plan, options, water, bounds, volume, light, lit};
+    const HeightMaps::Inputs inputs{stats.plan, options, water, bounds, volume, light, lit, scene.maps};
     heights.draw(inputs, painter, viewBlock, pass);
 }
 
@@ -414,7 +520,7 @@ void Renderer::State::drawRefraction()
         const RefractionPass::Inputs inputs{.view = view,
                                             .underwater = underwater,
                                             .deepRadiance = light.deepRadiance,
-                                            .cull = options.frame.cullChunks,
+                                            .cull = options.plan.allows(RuleId::cullChunks),
                                             .style = lit};
         check(PassId::refraction, side.draw(painter, options.refraction, inputs, pass));
     };
@@ -430,7 +536,7 @@ void Renderer::State::drawReflection()
     FrameStats::Pass& pass = beginPass(PassId::reflection, reflectionView, stats.plan[PassId::reflection].size);
     const auto draw = [&](ReflectionPass& side, const View& view, bool underwater) {
         const ReflectionPass::Inputs inputs{
-            .view = view, .underwater = underwater, .cull = options.frame.cullChunks, .style = lit};
+            .view = view, .underwater = underwater, .cull = options.plan.allows(RuleId::cullChunks), .style = lit};
         check(PassId::reflection, side.draw(painter, options.reflection, inputs, pass));
     };
     if (stats.plan.targetsMirror) draw(reflection, reflectionView, isBelow);
@@ -450,7 +556,7 @@ void Renderer::State::drawScene(const FrameInput& input)
                   .depth = gl::Format::depth24,
                   .samples = raw ? 1 : options.frame.msaa});
 
-    ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.frame.cullChunks};
+    ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
     if (isWaterView(input.view)) { // what hides the water is all that they need
         inputs.style = PaintStyle{};
         inputs.style.depthOnly = true;
@@ -575,8 +681,17 @@ Image Renderer::readLinear() const
 
 const HeightField* Renderer::heightField() const
 {
-    return state_->stats.plan.raycastsBed ? &state_->heights.bed().field() : nullptr;
+    return state_->stats.plan.raycastsBed && !state_->stats.plan.targetsBed ? &state_->heights.bed().field() : nullptr;
 }
+
+std::optional<HeightMapPicture> Renderer::readMap(MapKind kind) const
+{
+    const FramePlan& plan = state_->stats.plan;
+    if (!(kind == MapKind::bed ? plan.raycastsBed : plan.raycastsMirror)) return std::nullopt;
+    return state_->heights.picture(kind);
+}
+
+std::size_t Renderer::geometryBytes() const { return state_->gpuScene.geometryBytes(); }
 
 const View& Renderer::refractionView() const { return state_->refractionView; }
 

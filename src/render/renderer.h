@@ -108,11 +108,17 @@ public:
     /// shows two), world space.
     const View& refractionView() const;
 
-    /// The map that the last frame's refracted rays were marched through, or null when they were found otherwise.
+    /// The map that the last frame's refracted rays were marched through and nothing else, or null.
     const HeightField* heightField() const;
+
+    /// A map that the last frame's rays were marched through, as a picture; nothing where none was. Waits for the GPU.
+    std::optional<HeightMapPicture> readMap(MapKind kind) const;
 
     /// The last frame's caustics texture as it is; nothing when the frame had none. Waits for the GPU.
     std::optional<CausticsMap> readCaustics() const;
+
+    /// What the scene's vertices and indices take in the graphics card's memory, with their levels of detail.
+    std::size_t geometryBytes() const;
 
     /// What the checking found in the last frame, in the order of the passes; only passes that made bad values.
     const std::vector<BadPixels>& badPixels() const;

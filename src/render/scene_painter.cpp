@@ -75,8 +75,9 @@ ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders) : 
 void ScenePainter::setWater(const WaterBody* water)
 {
     constexpr float rim = 0.01f; // as in scene.frag
+    water_ = water;
     media_.clear();
-    for (const Chunk& chunk : scene_.chunks())
+    for (const Chunk& chunk : scene_.chunks().all)
         media_.push_back(water ? mediumOf(chunk.boundsW, *water, rim) : Medium::air);
 }
 
@@ -84,7 +85,7 @@ unsigned ScenePainter::features(const Chunk& chunk) const
 {
     const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk.material)];
     unsigned bits = 0;
-    switch (media_[static_cast<std::size_t>(&chunk - scene_.chunks().data())]) {
+    switch (media_[static_cast<std::size_t>(&chunk - scene_.chunks().all.data())]) {
     case Medium::air: bits |= inAir; break;
     case Medium::water: bits |= inWater; break;
     case Medium::both: break;
@@ -145,7 +146,7 @@ gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
 
 void ScenePainter::prepare(const PaintStyle& style, bool clips)
 {
-    for (const Chunk& chunk : scene_.chunks())
+    for (const Chunk& chunk : scene_.chunks().all)
         sceneProgram(features(chunk), style, clips);
     skyProgram(style);
 }
@@ -178,7 +179,7 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material, b
 void ScenePainter::draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
                         FrameStats::Pass& stats)
 {
-    drawChunks(visibleChunks(scene_.chunks(), scene_.scene().materials, view, cover, cull), view, style, stats);
+    drawChunks(visibleChunks(scene_.chunks(), scene_.scene().materials, view, cover, cull, water_), view, style, stats);
     if (style.sky) drawSky(style);
 }
 
@@ -228,7 +229,8 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
             program.set("worldFromModelNormal", worldFromModelNormal_[i]);
         }
         if (style.dithersCutOuts && material.alphaTested)
-            program.set("chunk", static_cast<int>(chunk - scene_.chunks().data()));
+            program.set("chunk", static_cast<int>(chunk - scene_.chunks().all.data()));
+        if (style.shadows) program.set("geometryError", chunk->error);
         lastProgram = &program;
         lastMaterial = chunk->material;
         lastInstance = chunk->instance;

@@ -46,7 +46,7 @@ public:
     void prepare(const PaintStyle& style, bool clips);
 
     /// For all draws from now on: what is drawn wholly in the air, or wholly under water, leaves out the other's light.
-    /// Null: there is no water.
+    /// Null: there is no water. Must outlive the draws.
     void setWater(const WaterBody* water);
 
     /// For all draws from now on; the textures must outlive them.
@@ -70,6 +70,7 @@ private:
     const GpuScene& scene_;
     gl::ShaderLibrary& shaders_;
     std::vector<Medium> media_; ///< per chunk
+    const WaterBody* water_ = nullptr;
     SunMaps sunMaps_;
     std::map<std::pair<unsigned, int>, std::shared_ptr<gl::Program>> scenePrograms_; ///< by features and taps
     std::map<unsigned, std::shared_ptr<gl::Program>> skyPrograms_;

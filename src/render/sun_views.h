@@ -51,6 +51,7 @@ View parallelView(const LevelRect& rect, float lowest, float highest, vec2 slant
 struct CausticsRegion {
     LevelRect rect;
     float border = 0.0f; ///< width of the border in which it gives way to a flat surface; 0: it holds all there is
+    bool operator==(const CausticsRegion&) const = default;
 };
 CausticsRegion causticsRegion(const WaterBody& water, const Camera& camera, const CausticsOptions& options);
 

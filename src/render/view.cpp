@@ -105,6 +105,20 @@ View reflectionView(const Camera& camera, float aspect, const WaterBody& water, 
     return view;
 }
 
+float geometryErrorOf(const View& view, ivec2 size, float pixels)
+{
+    const mat4 rows = glm::transpose(view.isParallel() ? view.clipFromWorld() : view.clipFromView);
+    const vec2 half = 0.5f * vec2(size);
+    if (view.isParallel()) // at most the two axes' pixels per metre together
+        return pixels / glm::length(vec2(half.x * glm::length(vec3(rows[0])), half.y * glm::length(vec3(rows[1]))));
+    // What moves by d at a distance r from the eye, seen at tangents t from the axis, moves by f/z (d_xy - t d_z) pixels,
+    // z = r / sqrt(1 + t²): at most f d/r (1 + t²), most in the farthest corner.
+    const ViewTangents tangents(view.clipFromView);
+    const vec2 corner = glm::abs(tangents.middle) + tangents.half;
+    const vec2 focal = half / tangents.half;
+    return pixels / (std::max(focal.x, focal.y) * (1.0f + glm::dot(corner, corner)));
+}
+
 blocks::ViewBlock viewBlock(const View& view, ivec2 size)
 {
     blocks::ViewBlock block{};

@@ -19,6 +19,11 @@ struct View {
     float nearPlane = 0.1f, farPlane = 1000.0f;
     std::optional<float> flatWater; ///< level of a flat surface through which the eye, above it, sees what is below
 
+    /// By how much geometry may be off, m: for each metre of its distance from the eye, or anywhere in a parallel
+    /// projection. 0: full detail.
+    float geometryError = 0.0f;
+
+    bool isParallel() const { return clipFromView[2][3] == 0.0f; }
     mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
     bool clips() const { return clipPlane != vec4(0.0f); }
 };
@@ -36,6 +41,10 @@ View refractionView(const Camera& camera, float aspect, const WaterBody& water, 
 /// The main camera mirrored in the water's plane; sees what is above it, or below it for an eye under water.
 View reflectionView(const Camera& camera, float aspect, const WaterBody& water, const ReflectionOptions& options,
                     bool underwater);
+
+/// View::geometryError that moves nothing in the view's target by more than a number of pixels.
+/// @param size of the target, pixels
+float geometryErrorOf(const View& view, ivec2 size, float pixels);
 
 /// @param size of the target, pixels
 blocks::ViewBlock viewBlock(const View& view, ivec2 size);

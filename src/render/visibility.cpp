@@ -3,17 +3,49 @@
 #include "plan/frame_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tarn {
 
-std::vector<Chunk> listChunks(const Scene& scene, const std::vector<Instance>& instances)
+namespace {
+
+/// What a length in an instance's space is at most in the world.
+float largestScale(const mat4& worldFromModel)
 {
-    std::vector<Chunk> chunks;
+    const vec3 x(worldFromModel[0]), y(worldFromModel[1]), z(worldFromModel[2]);
+    return std::sqrt(std::max({glm::dot(x, x), glm::dot(y, y), glm::dot(z, z)})); // rotation and scale only
+}
+
+} // namespace
+
+Chunks listChunks(const Scene& scene, const std::vector<Instance>& instances, const std::vector<MeshDetail>& details)
+{
+    Chunks chunks;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instances[i].mesh)];
         for (const MeshPart& part : mesh.parts)
-            chunks.push_back({static_cast<int>(i), instances[i].mesh, part.material, part.firstIndex,
-                              part.indexCount, part.bounds.transformed(instances[i].worldFromModel)});
+            chunks.all.push_back({static_cast<int>(i), instances[i].mesh, part.material, part.firstIndex,
+                                  part.indexCount, part.bounds.transformed(instances[i].worldFromModel)});
+    }
+    chunks.full = chunks.all.size();
+    if (details.empty()) return chunks;
+
+    int firstFull = 0;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const mat4& worldFromModel = instances[i].worldFromModel;
+        const MeshDetail& detail = details[static_cast<std::size_t>(instances[i].mesh)];
+        const auto parts = static_cast<int>(scene.meshes[static_cast<std::size_t>(instances[i].mesh)].parts.size());
+        const int firstCoarse = static_cast<int>(chunks.all.size());
+        const auto placed = [&](int node) {
+            return node < 0 ? -1 : node < parts ? firstFull + node : firstCoarse + node - parts;
+        };
+        for (auto node = detail.nodes.begin() + parts; node != detail.nodes.end(); ++node)
+            chunks.all.push_back({static_cast<int>(i), instances[i].mesh, node->material, node->firstIndex,
+                                  node->indexCount, node->bounds.transformed(worldFromModel),
+                                  node->error * largestScale(worldFromModel),
+                                  {placed(node->finer[0]), placed(node->finer[1])}});
+        for (const int root : detail.roots) chunks.coarsest.push_back(placed(root));
+        firstFull += parts;
     }
     return chunks;
 }
@@ -82,32 +114,102 @@ float distanceTo(const vec3& eye, const Bounds& box)
 
 } // namespace
 
-std::vector<const Chunk*> visibleChunks(const std::vector<Chunk>& chunks, const std::vector<Material>& materials,
-                                        const View& view, const WaterCover& cover, bool cull)
+float allowedError(const View& view, const Chunk& chunk, const WaterBody* water, bool isUpright)
 {
+    if (view.geometryError <= 0.0f) return 0.0f;
+    const float allowed =
+        view.isParallel() ? view.geometryError : view.geometryError * distanceTo(view.eye, chunk.boundsW);
+    if (!water) return allowed;
+    switch (mediumOf(chunk.boundsW, *water, 0.0f)) {
+    case Medium::air: return allowed;
+    // Through a surface an eye in the air sees things nearer than they are, to 1/n of their distance straight below.
+    case Medium::water: return view.flatWater ? allowed / water->ior : allowed;
+    case Medium::both: break;
+    }
+    constexpr float beach = 0.1f; // slope of a gentle one: a height moves the shore ten times as far
+    return isUpright ? allowed : allowed * beach;
+}
+
+namespace {
+
+/// Goes down from the coarsest chunks, and stops where a view need not see more.
+class VisibleChunks {
+public:
     struct Entry {
         bool alphaTested;
         float distance;
         const Chunk* chunk;
     };
-    const Frustum frustum(view.clipFromWorld());
-    std::vector<Entry> entries;
-    entries.reserve(chunks.size());
-    for (const Chunk& chunk : chunks) {
-        const Bounds shown = view.flatWater ? seenThroughFlatWater(chunk.boundsW, *view.flatWater) : chunk.boundsW;
-        const bool seen = frustum.intersects(shown) && keptByPlane(view.clipPlane, chunk.boundsW) &&
-                          !cover.hides(view.eye, chunk.boundsW);
-        if (cull && !seen) continue;
-        const Material& material = materials[static_cast<std::size_t>(chunk.material)];
-        entries.push_back({material.alphaTested, distanceTo(view.eye, chunk.boundsW), &chunk});
+
+    VisibleChunks(const Chunks& chunks, const std::vector<Material>& materials, const View& view,
+                  const WaterCover& cover, bool cull, const WaterBody* water)
+        : chunks_(chunks), materials_(materials), view_(view), cover_(cover), frustum_(view.clipFromWorld()),
+          cull_(cull), water_(water)
+    {
     }
-    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.alphaTested != b.alphaTested ? b.alphaTested : a.distance < b.distance;
+
+    std::vector<Entry> list()
+    {
+        entries_.reserve(chunks_.full);
+        if (view_.geometryError > 0.0f && !chunks_.coarsest.empty())
+            for (const int index : chunks_.coarsest) add(chunks_[index]);
+        else
+            for (std::size_t i = 0; i < chunks_.full; ++i) add(chunks_.all[i]);
+        return std::move(entries_);
+    }
+
+private:
+    bool isSeen(const Chunk& chunk) const
+    {
+        const Bounds shown = view_.flatWater ? seenThroughFlatWater(chunk.boundsW, *view_.flatWater) : chunk.boundsW;
+        return frustum_.intersects(shown) && keptByPlane(view_.clipPlane, chunk.boundsW) &&
+               !cover_.hides(view_.eye, chunk.boundsW);
+    }
+
+    void add(const Chunk& chunk)
+    {
+        if (cull_ && !isSeen(chunk)) return;
+        const Material& material = materials_[static_cast<std::size_t>(chunk.material)];
+        if (chunk.error > 0.0f && chunk.error > allowedError(view_, chunk, water_, material.alphaTested)) {
+            for (const int finer : chunk.finer)
+                if (finer >= 0) add(chunks_[finer]);
+            return;
+        }
+        entries_.push_back({material.alphaTested, distanceTo(view_.eye, chunk.boundsW), &chunk});
+    }
+
+    const Chunks& chunks_;
+    const std::vector<Material>& materials_;
+    const View& view_;
+    const WaterCover& cover_;
+    const Frustum frustum_;
+    const bool cull_;
+    const WaterBody* water_;
+    std::vector<Entry> entries_;
+};
+
+} // namespace
+
+std::vector<const Chunk*> visibleChunks(const Chunks& chunks, const std::vector<Material>& materials, const View& view,
+                                        const WaterCover& cover, bool cull, const WaterBody* water)
+{
+    using Entry = VisibleChunks::Entry;
+    std::vector<Entry> entries = VisibleChunks(chunks, materials, view, cover, cull, water).list();
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        if (a.alphaTested != b.alphaTested) return b.alphaTested;
+        return a.distance != b.distance ? a.distance < b.distance : a.chunk < b.chunk;
     });
     std::vector<const Chunk*> visible;
     visible.reserve(entries.size());
     for (const Entry& entry : entries) visible.push_back(entry.chunk);
     return visible;
+}
+
+bool mayShow(const View& view, const WaterCover& cover, const Bounds& boxW)
+{
+    const Bounds shown = view.flatWater ? seenThroughFlatWater(boxW, *view.flatWater) : boxW;
+    return Frustum(view.clipFromWorld()).intersects(shown) && keptByPlane(view.clipPlane, boxW) &&
+           !cover.hides(view.eye, boxW);
 }
 
 } // namespace tarn

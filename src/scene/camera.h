@@ -19,6 +19,7 @@ struct Camera {
     /// How far the middle of the picture lies to the right of the axis, as a tangent: the frustum is oblique, its planes
     /// of equal depth stay perpendicular to the axis. Not in scene files.
     float lensShift = 0.0f;
+    bool operator==(const Camera&) const = default;
 };
 
 /// viewFromWorld of a camera (right-handed, looking along -z).

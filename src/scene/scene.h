@@ -9,6 +9,7 @@
 #include "base/math.h"
 #include "scene/camera.h"
 #include "scene/image.h"
+#include "scene/map_picture.h"
 
 #include <array>
 #include <cstdint>
@@ -135,6 +136,7 @@ struct Wave {
     float direction = 0.0f;  ///< radians in the xz plane, from +x towards +z
     float phase = 0.0f;      ///< radians
     float period = 0.0f;     ///< s; 0: deep-water dispersion, ω² = g·k
+    bool operator==(const Wave&) const = default;
 };
 
 /// Ripples on the surface, as a picture of its normals in four layers that drift: shaders/shared/normal_map.glsl.
@@ -146,11 +148,13 @@ struct WaterNormalMap {
     float bump = 1.0f;          ///< factor on y before the normal is used: 1 plain, 0 steepest
     struct Layer {
         vec2 velocity{0.0f}; ///< of its drift along x and z, m/s
+        bool operator==(const Layer&) const = default;
     };
     std::array<Layer, 4> layers{
         {{vec2(0.31f, 0.08f)}, {vec2(-0.12f, 0.27f)}, {vec2(0.05f, -0.23f)}, {vec2(-0.2f, -0.13f)}}};
 
     bool isSeen() const { return enabled && image != noImage; }
+    bool operator==(const WaterNormalMap&) const = default;
 };
 
 /// What is added to (x, z) / tile for each layer's place in the picture at a time in seconds, 0..1. Layers do not lie upon
@@ -169,10 +173,22 @@ struct WaterBody {
                                    ///< the water is colour · (downwelling irradiance under the surface) / π
     std::vector<Wave> waves; ///< at most 64
     WaterNormalMap normalMap;
+    bool operator==(const WaterBody&) const = default;
 };
 
 /// The body's scalar and vector fields, in the group "water".
 void visit(FieldVisitor& visitor, WaterBody& water);
+
+/// A map of heights that is given as a picture; without one it is drawn.
+struct GivenMap {
+    std::filesystem::path file; ///< as written in the scene file, relative to it; empty: none
+    vec2 centre{0.0f}, extent{0.0f}; ///< as written there, m: what it covers; zero extent: what its header says
+    std::optional<HeightMapPicture> picture;
+};
+
+struct SceneMaps {
+    GivenMap bed, afloat;
+};
 
 struct Scene {
     std::string name;
@@ -191,6 +207,7 @@ struct Scene {
     std::vector<SpotLight> spotLights;
     std::vector<Camera> cameras; ///< at least one after loading
     WaterBody water;
+    SceneMaps maps;
 
     std::vector<Assignment> options; ///< the scene file's [options], for the program to apply
 

@@ -48,6 +48,14 @@
 //     phase = 0.0                    # degrees
 //     period = 0.0                   # s; 0: deep-water dispersion
 //
+//     [maps.bed]                     # the bed's map of heights as a picture, where rays are marched (scene/map_picture.h);
+//     file = "bed.exr"               # (!) absent: it is drawn
+//     centre = [0, 0]                # x, z of what it covers, and
+//     extent = [100, 100]            # edge lengths x, z (or one number), m, > 0: without it as the file's header says
+//
+//     [maps.afloat]                  # the same of what stands over the water
+//     file = "afloat.exr"
+//
 //     [[materials]]
 //     name = "checker"               # (!)
 //     diffuse = [0.8, 0.8, 0.8]      # 0..1

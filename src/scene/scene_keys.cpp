@@ -53,6 +53,13 @@ void keys(TableIo& io, WaterNormalMap::Layer& layer)
     io.vector("velocity", layer.velocity, {-1000.0, 1000.0, "m/s"});
 }
 
+void keys(TableIo& io, GivenMap& map)
+{
+    io.path("file", map.file);
+    io.vector("centre", map.centre, metres);
+    io.uniform("extent", map.extent, positive(1e6, "m"));
+}
+
 void keys(TableIo& io, Wave& wave)
 {
     io.number("amplitude", wave.amplitude, {0.0, 1000.0, "m"});

@@ -18,6 +18,7 @@ void keys(TableIo& io, Sky& sky);
 void keys(TableIo& io, WaterBody& water); ///< without its waves and layers
 void keys(TableIo& io, Wave& wave);
 void keys(TableIo& io, WaterNormalMap::Layer& layer);
+void keys(TableIo& io, GivenMap& map);
 void keys(TableIo& io, Material& material, MaterialFiles& files);
 void keys(TableIo& io, Model& model);
 void keys(TableIo& io, Primitive& primitive, std::string& materialName);

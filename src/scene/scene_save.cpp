@@ -106,6 +106,8 @@ public:
         sun();
         sky();
         water();
+        map("[maps.bed]", scene_.maps.bed);
+        map("[maps.afloat]", scene_.maps.afloat);
         materials();
         for (Model model : scene_.models) {
             model.file = rebased(model.file);
@@ -211,6 +213,15 @@ private:
         if (map.file.empty()) return;
         for (const WaterNormalMap::Layer& layer : map.layers)
             table("[[water.normal_layers]]", layer, WaterNormalMap::Layer(), {"velocity"});
+    }
+
+    void map(const std::string& header, GivenMap map)
+    {
+        if (map.file.empty()) return;
+        map.file = rebased(map.file);
+        map.picture.reset(); // it stays in its file
+        if (map.extent == vec2(0.0f)) return table(header, map, map, {"file"}); // no other key was there
+        table(header, map, GivenMap(), {"file", "centre", "extent"});
     }
 
     void materials()

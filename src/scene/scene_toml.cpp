@@ -33,6 +33,7 @@ public:
         readSun();
         readSky();
         readWater();
+        readMaps();
         readMaterials();
         readModels();
         readPrimitives();
@@ -196,6 +197,48 @@ private:
             layerIo.finish();
         }
         map.image = request(map.file, TextureUse::waterNormal, io.place("normal_map"));
+    }
+
+    // ---- maps of heights
+
+    void readMaps()
+    {
+        const auto* table = root_.subtable("maps");
+        if (!table) return;
+        TableReader io = reader(*table, "maps");
+        readMap(io, MapKind::bed, scene_.maps.bed);
+        readMap(io, MapKind::afloat, scene_.maps.afloat);
+        io.finish();
+    }
+
+    /// A scene without its maps would be another: nothing stands in for one that cannot be read.
+    void readMap(TableReader& maps, MapKind kind, GivenMap& map)
+    {
+        const auto* table = maps.subtable(mapName(kind));
+        if (!table) return;
+        TableReader io = reader(*table, fmt::format("maps.{}", mapName(kind)));
+        keys(io, map);
+        io.finish();
+        io.require({"file"});
+        const bool saysExtent = table->contains("extent");
+        if (table->contains("centre") && !saysExtent) io.fail("extent", "is missing; a centre needs one");
+        try {
+            map.picture = readMapPicture(scene_.file.parent_path() / map.file, kind);
+        } catch (const Error& problem) {
+            throw Error("{}: {}", io.place("file"), problem.what());
+        }
+        HeightMapPicture& picture = *map.picture;
+        if (saysExtent) {
+            picture.centre = map.centre;
+            picture.extent = map.extent;
+        } else if (picture.extent == vec2(0.0f)) {
+            io.fail("extent", fmt::format("is missing; {} does not say how many metres it covers", picture.file.string()));
+        }
+        const WaterBody& water = scene_.water;
+        const vec2 apart = glm::abs(picture.centre - water.centre), reach = 0.5f * (picture.extent + water.extent);
+        if (water.present && glm::any(glm::greaterThanEqual(apart, reach)))
+            io.fail("file", fmt::format("covers none of the water: {} by {} m about ({}, {}); give another centre and extent",
+                                        picture.extent.x, picture.extent.y, picture.centre.x, picture.centre.y));
     }
 
     // ---- shapes

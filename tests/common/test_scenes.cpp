@@ -10,15 +10,7 @@ void addMesh(Scene& scene, Mesh mesh, int material)
 {
     for (const Vertex& vertex : mesh.vertices) mesh.bounds.add(vertex.position);
     mesh.parts = {{material, 0, static_cast<std::uint32_t>(mesh.indices.size()), mesh.bounds}};
-    Primitive primitive;
-    primitive.name = mesh.name = "shape " + std::to_string(scene.meshes.size());
-    primitive.material = material;
-    primitive.mesh = static_cast<int>(scene.meshes.size());
-    scene.meshes.push_back(std::move(mesh));
-    scene.primitives.push_back(primitive);
-    Element element;
-    element.name = element.shape = primitive.name;
-    scene.elements.push_back(element);
+    addModel(scene, std::move(mesh));
 }
 
 void addQuad(Mesh& mesh, const std::array<vec3, 4>& corners, const vec3& normal)
@@ -90,6 +82,49 @@ void addNormalMap(Scene& scene, int edge, const std::function<vec2(const vec2& u
         }
     scene.water.normalMap.image = static_cast<int>(scene.images.size());
     scene.images.push_back(std::move(image));
+}
+
+Mesh groundMesh(const std::function<float(float, float)>& height, int cells, float spacing, int strips)
+{
+    Mesh mesh;
+    for (int j = 0; j <= cells; ++j) {
+        for (int i = 0; i <= cells; ++i) {
+            const float x = spacing * static_cast<float>(i), z = spacing * static_cast<float>(j), step = 0.01f * spacing;
+            const vec3 normal(height(x - step, z) - height(x + step, z), 2.0f * step,
+                              height(x, z - step) - height(x, z + step));
+            mesh.vertices.push_back({{x, height(x, z), z}, glm::normalize(normal), {1, 0, 0, 1}, {x, -z}});
+            mesh.bounds.add(mesh.vertices.back().position);
+        }
+    }
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (cells + 1) + i); };
+    for (int strip = 0; strip < strips; ++strip) {
+        MeshPart part{0, static_cast<std::uint32_t>(mesh.indices.size()), 0, {}};
+        for (int j = strip * cells / strips; j < (strip + 1) * cells / strips; ++j) {
+            for (int i = 0; i < cells; ++i) {
+                for (const std::uint32_t v :
+                     {at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}) {
+                    mesh.indices.push_back(v);
+                    part.bounds.add(mesh.vertices[v].position);
+                }
+            }
+        }
+        part.indexCount = static_cast<std::uint32_t>(mesh.indices.size()) - part.firstIndex;
+        mesh.parts.push_back(part);
+    }
+    return mesh;
+}
+
+void addModel(Scene& scene, Mesh mesh)
+{
+    Primitive primitive;
+    primitive.name = mesh.name = "shape " + std::to_string(scene.meshes.size());
+    primitive.material = mesh.parts.front().material;
+    primitive.mesh = static_cast<int>(scene.meshes.size());
+    scene.meshes.push_back(std::move(mesh));
+    scene.primitives.push_back(primitive);
+    Element element;
+    element.name = element.shape = primitive.name;
+    scene.elements.push_back(element);
 }
 
 Scene flatLake(float depth, float edge, float bedEdge)

@@ -15,6 +15,14 @@ void addBox(Scene& scene, const vec3& lower, const vec3& upper, int material);
 
 int addMaterial(Scene& scene, const vec3& diffuse);
 
+/// A square of ground of cells x cells quads from the origin along +x and +z, in strips along x: one chunk each, whose
+/// vertices are shared along their borders. Normals are those of the height, texture coordinates metres.
+/// @param spacing edge of a quad, m
+Mesh groundMesh(const std::function<float(float x, float z)>& height, int cells, float spacing, int strips);
+
+/// A mesh with chunks of its own, placed at the origin.
+void addModel(Scene& scene, Mesh mesh);
+
 /// A still lake of a given depth over a flat bed, under a constant sky of radiance 1 and no sun; clear water that
 /// takes nothing away, unless the test says so.
 /// bedEdge: of the bed; 0 for the lake's own.

@@ -3,6 +3,7 @@
 #include "test_scenes.h"
 
 #include "gl/shader_library.h"
+#include "measure/water_errors.h"
 #include "optics/optics.h"
 #include "render/renderer.h"
 
@@ -154,6 +155,41 @@ TEST(Raycast, AThinPostIsNeverSteppedOver)
     Studio classic(pool.scene, raycastOptions(HeightsOptions::March::classic, 1024));
     const auto [meetToo, steppedOver] = pool.missed(classic);
     EXPECT_GT(steppedOver, meetToo / 5) << "steps of 10 to 30 cm find a post of 4 cm by chance";
+}
+
+/// The share of water pixels whose ray was marched past what its map holds.
+double steppedOver(const Scene& scene, const Camera& camera, const Options& options)
+{
+    Stage stage(scene, options);
+    const WaterQuantities used = readQuantities(stage.renderer, camera, 0.0, pictureSize);
+    reference::Picture truth(pictureSize); // of which the figure needs only where there is water and something under it
+    for (std::size_t i = 0; i < truth.pixels(); ++i)
+        truth.events[i] = reference::meetsWater | reference::refracted | reference::refractionHit;
+    return errorFigures(used, truth).refractionSteppedOver;
+}
+
+// The figure of the trade: of the rays that meet the post in truth, those that do not end there.
+TEST(Raycast, WhatAClassicMarchStepsOverIsCounted)
+{
+    // The bed fills the map: over its brim a step may go as well.
+    Pool pool;
+    pool.scene = flatLake(1.0f, 4.0f, 12.0f);
+    addBox(pool.scene, pool.lower, pool.upper, addMaterial(pool.scene, vec3(0.8f, 0.1f, 0.1f)));
+    EXPECT_EQ(steppedOver(pool.scene, pool.camera, raycastOptions(HeightsOptions::March::pyramid, 1024)), 0.0);
+    EXPECT_EQ(steppedOver(pool.scene, pool.camera, raycastOptions(HeightsOptions::March::pyramid, 256)), 0.0);
+    const Options classic = raycastOptions(HeightsOptions::March::classic, 1024);
+    const double share = steppedOver(pool.scene, pool.camera, classic);
+    Studio studio(pool.scene, classic);
+    int water = 0, passed = 0;
+    water = forWater(studio, pool.camera, DebugView::positionW, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+        const double t = toBox(u, refracted, pool.lower, pool.upper, 0.0);
+        passed += t >= 0.0 && glm::distance(u, dvec3(value)) > t + 8.0 / 1024.0;
+    });
+    const double wanted = static_cast<double>(passed) / water;
+    EXPECT_GT(wanted, 0.001);
+    EXPECT_NEAR(share, wanted, 0.25 * wanted) << "the map's post is wider by up to a texel";
+    const Scene bare = flatLake(1.0f, 4.0f, 12.0f);
+    EXPECT_EQ(steppedOver(bare, pool.camera, classic), 0.0) << "there is nothing to step over";
 }
 
 // The post is cut by the surface: its column is solid, though it has no top there.

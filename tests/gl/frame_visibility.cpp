@@ -56,7 +56,7 @@ struct Picture {
 Picture picture(const Scene& scene, const Camera& camera, bool cull)
 {
     Options options;
-    options.frame.cullChunks = cull;
+    options.plan.rules[static_cast<std::size_t>(RuleId::cullChunks)] = cull;
     const auto shaders = makeShaderLibrary();
     gl::Profiler profiler;
     Renderer renderer(scene, options, *shaders, profiler);

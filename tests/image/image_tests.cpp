@@ -1,7 +1,8 @@
-// The picture tests' program. CTest calls `render` once per group, then `check` once per case; people call
-// `review` and `bless` through tools/golden.
+// The picture tests' program. CTest calls `render` once per group, then `check` once per case, and `lossless` once per
+// group; people call `review` and `bless` through tools/golden.
 #include "base/error.h"
 #include "image/judge.h"
+#include "image/lossless.h"
 #include "image/render_group.h"
 
 #include <fmt/core.h>
@@ -40,6 +41,19 @@ int render(const std::vector<Group>& groups, const std::string& name)
         }
     if (!any) throw UsageError("no group is named '{}'", name);
     return 0;
+}
+
+int lossless(const std::vector<Group>& groups, const std::string& name)
+{
+    int failures = 0;
+    bool any = false;
+    for (const Group& group : groups)
+        if (name.empty() || group.name == name) {
+            failures += checkLossless(group);
+            any = true;
+        }
+    if (!any) throw UsageError("no group is named '{}'", name);
+    return failures == 0 ? 0 : 1;
 }
 
 int check(const std::vector<Group>& groups, const std::string& name)
@@ -97,11 +111,12 @@ int run(const std::vector<std::string>& arguments)
     if (arguments.size() > 2) throw UsageError("one name at most");
     const std::vector<Group> groups = readCases(TARN_IMAGE_CASES);
     if (command == "render") return render(groups, name);
+    if (command == "lossless") return lossless(groups, name);
     if (command == "check") return check(groups, name);
     if (command == "goldens") return checkGoldens(groups);
     if (command == "review") return review(groups, name);
     if (command == "bless") return blessMatching(groups, name);
-    throw UsageError("image_tests render [GROUP] | check CASE | goldens | review [PART] | bless [PART]");
+    throw UsageError("image_tests render [GROUP] | lossless [GROUP] | check CASE | goldens | review [PART] | bless [PART]");
 }
 
 } // namespace

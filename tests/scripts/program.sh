@@ -10,7 +10,7 @@ pool=$project/tests/image/scenes/checkered_bed.toml
 test_help() {
     call 0 --help
     local command
-    for command in view render reference compare disparity bench trade tune budget explain options info; do
+    for command in view render reference compare disparity bench trade tune budget explain maps options info; do
         grep -qw "$command" "$work/stdout" || fail "--help does not name $command"
     done
     call 0 render --help
@@ -41,6 +41,7 @@ test_wrong_usage() {
     refuse 2 '%' render "$pool" --frames 3 --out a.png
     refuse 2 'table 4.*2.*3' bench "$pool" --table 4
     refuse 2 'table.*vary' bench "$pool" --table 2 --vary refraction.steps=1
+    refuse 2 'table.*flight' bench "$pool" --table 2 --flight
     refuse 2 'error.*tarn reference' render "$pool" --error path --out a.png
     refuse 2 'fresnel' render "$pool" --error colour --reference a.exr --out a.png
     refuse 2 'out' trade "$pool"
@@ -51,6 +52,8 @@ test_wrong_usage() {
     refuse 2 'presets-only.*sweep' trade "$pool" --out a --presets-only --sweep refraction.steps=1:2
     refuse 2 'shard.*1/4' trade "$pool" --out a --shard 3/2
     refuse 2 'abvoe.*above' trade "$pool" --out a --views abvoe
+    refuse 2 'method.*planar, iterative' trade "$pool" --out a --sweep heights.march=classic@refraction.method=magic
+    refuse 2 'maps.*--out DIR' maps "$pool"
     refuse 2 'max-error.*budget-ms' tune "$pool"
     refuse 2 'abvoe.*above' tune "$pool" --max-error 0.1 --camera abvoe
     refuse 2 'samples' budget "$pool" --samples 0
@@ -231,10 +234,17 @@ test_json() {
     grep -q '"triangles"' a.json || fail "render's JSON does not count triangles"
     call 0 bench "$pool" --size 32x24 --frames 3 --json b.json
     grep -q '"renderer"' b.json && grep -q '"median' b.json || fail "bench's JSON lacks the machine or the median"
+    grep -q '"leaves_out"' b.json || fail "bench's JSON lacks the plan"
+    call 0 bench "$pool" --size 32x24 --frames 3 --flight --rules --json d.json
+    grep -q '^full costs .* x planned' "$work/stdout" || fail "bench --rules does not compare the full frame"
+    grep -q 'cull_chunks  *3 of 3' "$work/stdout" || fail "bench --rules does not tell how often a rule applied"
+    grep -q '"total_wall"' d.json || fail "bench's JSON lacks the ratio of the whole flight"
+    grep -q '"geometry_bytes": [1-9]' b.json && grep -q '"resident_bytes": [1-9]' b.json ||
+        fail "bench's JSON does not tell the memory"
     call 0 bench "$pool" --size 32x24 --frames 2 --table 2 --json c.json
     grep -q '^| caustics off ' "$work/stdout" || fail "bench --table 2 has no row without caustics"
     grep -q '"ours_over_thesis"' c.json || fail "the table's JSON does not compare with the thesis"
-    only_in_out a.json a.png b.json c.json
+    only_in_out a.json a.png b.json c.json d.json
 }
 
 test_budget() {
@@ -252,11 +262,39 @@ test_budget() {
     only_in_out a.json
 }
 
+# Maps of heights written, given back, and marched through instead of those that would be drawn.
+test_maps() {
+    local scenes=$project/tests/image/scenes marched=(--set refraction.method=raycast --set reflection.method=raycast)
+    call 0 maps "$scenes/post.toml" --set heights.map_size=128 --out m --json j.json
+    only_in_out m/bed.exr m/afloat.exr j.json
+    [[ $(cat "$work/stdout") == $'m/bed.exr\nm/afloat.exr' ]] || fail "the files are not named"
+    grep -q '"edge": 128' j.json || fail "the JSON does not tell the maps' size"
+    { cat "$scenes/post.toml"; printf '[maps.bed]\nfile = "m/bed.exr"\n[maps.afloat]\nfile = "m/afloat.exr"\n'; } >given.toml
+    call 0 explain given.toml "${marched[@]}"
+    grep -Eq "heights .*bed\.exr gives the map 'bed'; afloat\.exr gives" "$work/stdout" || fail "explain does not name the maps"
+    call 0 render "$scenes/post.toml" --size 80x60 "${marched[@]}" --set heights.map_size=128 --out a.png
+    call 0 render given.toml --size 80x60 "${marched[@]}" --check --out b.png
+    [[ ! -s $work/stderr ]] || fail "something was said of maps of the same light"
+    call 0 compare a.png b.png --max-flip 0.0001
+    call 0 render given.toml --size 80x60 "${marched[@]}" --set water.absorption=3 --out c.png
+    grep -q 'bed.exr: the water changed' "$work/stderr" || fail "nothing was said of maps of another light"
+
+    head -c 500 m/bed.exr >broken.exr
+    sed 's:m/bed:broken:' given.toml >broken.toml
+    refuse 1 'broken\.toml:[0-9]+: broken\.exr: .*(damaged|not a readable)' render broken.toml --out d.png
+    sed 's:m/bed:m/afloat:' given.toml >other.toml
+    refuse 1 'other\.toml:[0-9]+: m/afloat\.exr: has no channel height' render other.toml --out d.png
+    sed 's:m/bed:none:' given.toml >missing.toml
+    refuse 1 'none\.exr: no such picture' render missing.toml --out d.png
+    refuse 1 'has no water' maps "$scenes/materials.toml" --out n
+    [[ ! -e d.png ]] || fail "a refused picture is there"
+}
+
 # A small trade of a scene with waves, sun and caustics: measured, told, and not measured twice.
 test_trade() {
-    local waves=$project/tests/image/scenes/waves.toml
+    local waves=$project/tests/image/scenes/waves.toml march='heights.march=classic,pyramid@refraction.method=raycast'
     call 0 trade "$waves" --out t --size 48x36 --samples 2 --frames 2 --times 0.5 --sweep water.surface_steps=0,1 \
-        --sweep refraction.steps=1,4
+        --sweep refraction.steps=1,4 --sweep "$march"
     local name
     for name in results.csv results.json report.html; do
         [[ -s t/$name ]] || fail "there is no t/$name"
@@ -265,8 +303,16 @@ test_trade() {
     grep -Eq '"flip": 0\.[0-9]+' t/results.json || fail "no mean FLIP between 0 and 1 was measured"
     grep -Eq '"median_ms": [0-9.]+' t/results.json || fail "no price was measured"
     cp t/results.csv first.csv
+    local column
+    column=$(head -1 t/results.csv | tr ',' '\n' | grep -nx 'refraction.stepped_over' | cut -d: -f1)
+    grep '^[0-9a-f]*,"heights.march=classic, refraction.method=raycast",sweep,mean' t/results.csv | cut -d, -f$((column + 1)) |
+        grep -Eq '^0\.[0-9]*[1-9]' || fail "what the classic march steps over is not counted"
+    grep '^[0-9a-f]*,refraction.method=raycast,sweep,mean' t/results.csv | cut -d, -f"$column" | grep -qx 0 ||
+        fail "the pyramid march stepped over something"
+    grep -q 'heights.march (refraction.method=raycast)' t/report.html || fail "the report does not show the marches"
+    grep -q 'refraction.stepped_over' t/report.html || fail "the report does not show what is stepped over"
     call 0 trade "$waves" --out t --size 48x36 --samples 2 --frames 2 --times 0.5 --sweep water.surface_steps=0,1 \
-        --sweep refraction.steps=1,4
+        --sweep refraction.steps=1,4 --sweep "$march"
     cmp -s first.csv t/results.csv || fail "a second run did not take up the first one's results"
     refuse 1 'fresh' trade "$waves" --out t --size 40x30 --samples 2 --frames 2 --times 0.5
     cmp -s first.csv t/results.csv || fail "a refused run changed the results"

@@ -90,7 +90,7 @@ test_viewer() {
     xdotool windowminimize "$window" windowmap "$window"
     sleep 0.4
     xdotool windowfocus "$window" || true
-    press Escape 2>/dev/null || true
+    xdotool key --window "$window" Escape # it may be gone before press would look
 
     local status=0
     wait "$viewer" || status=$?

@@ -79,13 +79,13 @@ TEST_F(SettingsTest, EveryKindOfValueInAnOptionsFile)
 {
     const fs::path file =
         optionsFile("water.absorption = [0.5, 1, 2.5]\n"
-                    "[frame]\ntone_curve = \"reinhard\"\nexposure = 0.25\ncull_chunks = false\n"
+                    "[frame]\ntone_curve = \"reinhard\"\nexposure = 0.25\n[plan]\ncull_chunks = false\n"
                     "[refraction]\nsteps = 8 # whole\n");
     const Settings settings = resolveSettings(Scene{}, {{file}, {}});
     EXPECT_EQ(settings.water.absorption, vec3(0.5f, 1.0f, 2.5f));
     EXPECT_EQ(settings.options.frame.toneCurve, FrameOptions::ToneCurve::reinhard);
     EXPECT_FLOAT_EQ(settings.options.frame.exposure, 0.25f);
-    EXPECT_FALSE(settings.options.frame.cullChunks);
+    EXPECT_FALSE(settings.options.plan.rules[static_cast<std::size_t>(RuleId::cullChunks)]);
     EXPECT_EQ(settings.options.refraction.steps, 8);
 }
 

@@ -46,6 +46,7 @@ TEST(Statistics, SummaryOfOddAndSkewedSamples)
     EXPECT_DOUBLE_EQ(s.median, 1.0);
     EXPECT_DOUBLE_EQ(s.mean, 3.0);
     EXPECT_DOUBLE_EQ(s.p95, 8.4);
+    EXPECT_DOUBLE_EQ(s.p99, 9.68);
     EXPECT_DOUBLE_EQ(s.maximum, 10.0);
 }
 
@@ -62,6 +63,9 @@ TEST(Statistics, PairedRatioIgnoresDriftThatStrikesBoth)
     const std::vector<double> base{1.0, 1.0, 1.0, 10.0, 10.0};
     const std::vector<double> twice{2.0, 2.0, 2.0, 20.0, 20.0};
     EXPECT_DOUBLE_EQ(medianRatio(twice, base), 2.0);
+    EXPECT_DOUBLE_EQ(totalRatio(std::vector<double>{1.0, 9.0}, std::vector<double>{1.0, 3.0}), 2.5);
+    EXPECT_THROW(totalRatio({}, {}), Error);
+    EXPECT_THROW(totalRatio(std::vector<double>{1.0, 2.0}, std::vector<double>{1.0}), Error);
     EXPECT_THROW(medianRatio(std::vector<double>{1.0, 2.0}, std::vector<double>{1.0}), Error);
 }
 

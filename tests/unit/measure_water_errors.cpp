@@ -110,6 +110,38 @@ TEST(WaterErrors, APixelWithoutASampleIsWrongButNoDistance)
     EXPECT_TRUE(std::isnan(figures.refractionMedian));
 }
 
+/// A bed at -1 m over -8 to 8 m in both directions, in texels of 1 m, with a wall of half a metre on the texels of a column.
+HeightField bedWithWall(int column)
+{
+    HeightField field;
+    field.rect = {vec2(0.0f), vec2(8.0f)};
+    field.edge = 16;
+    field.lowest = -3.0f;
+    for (int i = 0; i < 256; ++i) field.heights.push_back(i % 16 == column ? -0.5f : -1.0f);
+    return field;
+}
+
+// Four rays go down at 45 degrees from (0, 0, 0), a wall's ridge stands at x = 0.5: each of them meets it at x = 1/3.
+TEST(WaterErrors, ARayThatPassesWhatTheMapHoldsHasSteppedOverIt)
+{
+    Pair p(4);
+    EXPECT_TRUE(std::isnan(errorFigures(p.used, p.truth).refractionSteppedOver)) << "no map";
+    p.used.heights = bedWithWall(8);
+    for (std::size_t i = 0; i < 4; ++i) p.used.surface[i] = vec3(0.0f);
+    // The ramp rises from -1 at x = -0.5 to -0.5 at 0.5: y = -0.75 + x / 2.
+    p.used.place = {vec3(0.5f, -0.5f, 0.0f), vec3(1.1f, -1.1f, 0.0f), vec3(2.0f, -2.0f, 0.0f), vec3(0.5f, -0.5f, 0.0f)};
+    ErrorFigures figures = errorFigures(p.used, p.truth);
+    EXPECT_DOUBLE_EQ(figures.refractionSteppedOver, 0.25) << "over a texel behind it, but not less";
+    p.used.hasSample[3] = 0;
+    figures = errorFigures(p.used, p.truth);
+    EXPECT_DOUBLE_EQ(figures.refractionSteppedOver, 0.5) << "and what found nothing though there is something";
+    p.truth.events[2] |= Event::fromBelow;
+    figures = errorFigures(p.used, p.truth);
+    EXPECT_DOUBLE_EQ(figures.refractionSteppedOver, 1.0 / 3.0) << "seen from below no ray is marched";
+    p.used.place.assign(4, vec3(0.0f));
+    EXPECT_DOUBLE_EQ(errorFigures(p.used, p.truth).refractionSteppedOver, 0.0) << "a ray that ends where it starts";
+}
+
 TEST(WaterErrors, ReflectionIsAnAngleFromTheTrueSurface)
 {
     Pair p(3);

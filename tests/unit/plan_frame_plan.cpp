@@ -32,7 +32,7 @@ FramePlan planFor(const WaterBody& water, const Camera& camera, const Options& o
 {
     Scene scene;
     scene.water = water;
-    scene.sun = Sun{};
+    scene.sun = Sun{normalize(vec3(0.0f, 0.3f, -1.0f)), vec3(100.0f), false}; // ahead of most of the cameras below
     return planFrame(scene, water, camera, options, {640, 480}, time);
 }
 
@@ -217,10 +217,11 @@ TEST(FramePlan, GlowNeedsASunOverTheWater)
     scene.water = lake();
     EXPECT_FALSE(wantsGlow(scene, {}));
     scene.sun = Sun{};
+    scene.sun->direction = normalize(vec3(0.0f, 0.3f, -1.0f));
     EXPECT_TRUE(wantsGlow(scene, {}));
     scene.sun->direction = normalize(vec3(1.0f, -0.1f, 0.0f));
     EXPECT_FALSE(wantsGlow(scene, {}));
-    scene.sun->direction = vec3(0.0f, 1.0f, 0.0f);
+    scene.sun->direction = normalize(vec3(0.0f, 0.3f, -1.0f));
     Options options;
     options.glow.divisor = 10;
     EXPECT_EQ(planFrame(scene, scene.water, camera, options, {640, 480}, 0.0)[PassId::glow].size, ivec2(64, 48));

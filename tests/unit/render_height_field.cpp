@@ -157,6 +157,62 @@ TEST(HeightField, NothingInABlockIsOverItsLargest)
         }
 }
 
+dvec3 unit(double x, double y, double z) { return glm::normalize(dvec3(x, y, z)); }
+
+// y = -1 + 0.2 x - 0.1 z over the whole map; beside it nothing is met, and nothing under `lowest`.
+TEST(HeightField, ARayMeetsASlopeWhereTheFormulaSays)
+{
+    HeightField field;
+    field.rect = {vec2(0.0f), vec2(4.0f)};
+    field.edge = 32;
+    field.lowest = -5.0f;
+    for (int j = 0; j < 32; ++j)
+        for (int i = 0; i < 32; ++i)
+            field.heights.push_back(-1.0f + 0.2f * (0.25f * (static_cast<float>(i) + 0.5f) - 4.0f) -
+                                    0.1f * (0.25f * (static_cast<float>(j) + 0.5f) - 4.0f));
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(-3.0, 3.0);
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const dvec3 from(place(random), 0.0, place(random)), ray = unit(place(random), -1.0 - std::abs(place(random)), place(random));
+        const double exact = (-1.0 + 0.2 * from.x - 0.1 * from.z - from.y) / (ray.y - 0.2 * ray.x + 0.1 * ray.z);
+        const dvec3 hit = from + exact * ray;
+        if (exact < 0.0 || std::max(std::abs(hit.x), std::abs(hit.z)) > 3.8) continue;
+        const auto t = field.firstMeeting(from, ray);
+        ASSERT_TRUE(t) << i;
+        ASSERT_NEAR(*t, exact, 1.0e-5) << i;
+        ++met;
+    }
+    EXPECT_GT(met, 1000);
+    EXPECT_FALSE(field.firstMeeting({3.9, 0.0, 0.0}, unit(1.0, -0.1, 0.0))) << "leaves the map";
+    field.heights.assign(field.heights.size(), -5.0f);
+    EXPECT_FALSE(field.firstMeeting({0.0, 0.0, 0.0}, unit(0.1, -1.0, 0.0))) << "nothing lies there";
+    EXPECT_EQ(field.firstMeeting({0.0, -6.0, 0.0}, unit(0.1, -1.0, 0.0)), std::nullopt) << "from under it all";
+}
+
+// Small steps never find ground before the meeting, and ground right behind it.
+TEST(HeightField, ARayMeetsTheFirstThingInItsWay)
+{
+    const HeightField field = randomField(32);
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> place(-12.0, 12.0);
+    int met = 0;
+    for (int i = 0; i < 300; ++i) {
+        const dvec3 from = dvec3(3.0 + place(random), 0.1, -2.0 + place(random));
+        const dvec3 ray = unit(place(random), -2.0, place(random));
+        const auto t = field.firstMeeting(from, ray);
+        if (!t) continue;
+        ++met;
+        const auto over = [&](double along) {
+            const dvec3 p = from + along * ray;
+            return p.y - static_cast<double>(field.at(vec2(p.x, p.z)));
+        };
+        for (int j = 0; j < 1000; ++j) ASSERT_GT(over(*t * j / 1000.0), -1.0e-5) << i;
+        ASSERT_NEAR(over(*t), 0.0, 1.0e-5) << i;
+    }
+    EXPECT_GT(met, 250);
+}
+
 TEST(HeightField, SizesArePowersOfTwo)
 {
     EXPECT_EQ(powerOfTwo(16), 16);

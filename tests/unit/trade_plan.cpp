@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace tarn {
@@ -61,6 +62,40 @@ TEST(TradeSweep, MistakesAreToldBeforeAnyWork)
                         parseSweeps({"refraction.steps=1", "refraction.steps=2"}, describerOf(Settings{}));
                     }),
                     "twice");
+}
+
+TEST(TradeSweep, AnotherOptionMayBeSetMeanwhile)
+{
+    const DescribeSettings describe = describerOf(Settings{});
+    const Sweep sweep = parseSweep("heights.march=classic,pyramid@refraction.method=raycast@heights.map_size= 512", describe);
+    EXPECT_EQ(sweep.values, (Values{"classic", "pyramid"}));
+    EXPECT_EQ(sweep.title(), "heights.march (heights.map_size=512, refraction.method=raycast)");
+    EXPECT_EQ(sweep.changes("classic"),
+              (Changes{{"heights.map_size", "512"}, {"heights.march", "classic"}, {"refraction.method", "raycast"}}));
+    EXPECT_CONTAINS(complaint("heights.march=classic@refraction.method=magic"), "magic");
+    EXPECT_CONTAINS(complaint("heights.march=classic@refraction.method"), "key=value");
+    EXPECT_CONTAINS(complaint("heights.march=classic@heights.march=pyramid"), "beside its sweep");
+    EXPECT_NO_THROW(parseSweeps({"heights.march=classic", "heights.march=classic@refraction.method=raycast"}, describe));
+    const auto twice = [&] {
+        parseSweeps({"heights.march=classic@refraction.method=raycast", "heights.march=pyramid@refraction.method=raycast"},
+                    describe);
+    };
+    EXPECT_CONTAINS(messageOf<UsageError>(twice), "heights.march (refraction.method=raycast) is swept twice");
+}
+
+// Every way of finding what the water shows is in the default plan, the marches too.
+TEST(TradePlan, TheDefaultHasEveryMethod)
+{
+    const TradePlan plan = planTrade({{}, false, {}}, describerOf(Settings{}));
+    const auto has = [&](const Changes& changes) {
+        const TradePoint wanted = makePoint(changes, "", "", describerOf(Settings{}));
+        return std::any_of(plan.points.begin(), plan.points.end(),
+                           [&](const TradePoint& point) { return point.id == wanted.id; });
+    };
+    for (const char* method : {"planar", "iterative", "raycast"}) EXPECT_TRUE(has({{"refraction.method", method}})) << method;
+    for (const char* method : {"distance", "iterative", "raycast"}) EXPECT_TRUE(has({{"reflection.method", method}})) << method;
+    for (const char* key : {"refraction.method", "reflection.method"})
+        EXPECT_TRUE(has({{key, "raycast"}, {"heights.march", "classic"}})) << key;
 }
 
 TEST(TradePlan, SweepsAreRoundTheBaseAndEachConfigurationStandsOnce)

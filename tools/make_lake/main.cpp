@@ -5,6 +5,7 @@
 #include "obj_file.h"
 #include "pier.h"
 #include "plants.h"
+#include "refine.h"
 #include "rocks.h"
 #include "scene_text.h"
 #include "terrain.h"
@@ -14,35 +15,51 @@
 #include <charconv>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
 namespace tarn::lake {
 
 namespace {
 
 constexpr std::uint32_t shippedSeed = 7;
-constexpr const char* usage = "usage: make_lake --out FOLDER [--seed NUMBER]";
+constexpr const char* usage = "usage: make_lake --out FOLDER [--seed NUMBER] [--scale 1|4|16|64]";
 
 struct Arguments {
     std::filesystem::path out;
     std::uint32_t seed = shippedSeed;
+    int scale = 1; ///< times the shipped lake's triangles
 };
+
+/// The whole of a word as a number; nothing when it is none.
+template <typename Number> std::optional<Number> numberOf(std::string_view word)
+{
+    Number number{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return number;
+}
 
 Arguments parse(int count, char** words)
 {
     Arguments arguments;
     for (int i = 1; i < count; ++i) {
         const std::string_view word = words[i];
-        if ((word != "--out" && word != "--seed") || i + 1 == count)
+        if ((word != "--out" && word != "--seed" && word != "--scale") || i + 1 == count)
             throw UsageError("'{}': {}; {}", word,
                              i + 1 == count ? "a value is missing or the word is unknown" : "unknown", usage);
         const std::string_view value = words[++i];
         if (word == "--out") {
             arguments.out = value;
-            continue;
+        } else if (word == "--seed") {
+            const auto seed = numberOf<std::uint32_t>(value);
+            if (!seed) throw UsageError("--seed {}: not a whole number from 0 to 4294967295; {}", value, usage);
+            arguments.seed = *seed;
+        } else {
+            const auto scale = numberOf<int>(value);
+            if (scale != 1 && scale != 4 && scale != 16 && scale != 64)
+                throw UsageError("--scale {}: not 1, 4, 16 or 64; {}", value, usage);
+            arguments.scale = *scale;
         }
-        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), arguments.seed);
-        if (error != std::errc() || end != value.data() + value.size())
-            throw UsageError("--seed {}: not a whole number from 0 to 4294967295; {}", value, usage);
     }
     if (arguments.out.empty()) throw UsageError("--out is missing; {}", usage);
     return arguments;
@@ -51,10 +68,16 @@ Arguments parse(int count, char** words)
 /// Adds what was made to the folder, and to the sums that are told at the end.
 class Output {
 public:
-    explicit Output(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    Output(std::filesystem::path folder, Refinement refinement) : folder_(std::move(folder)), refinement_(refinement) {}
 
-    void write(const Mesh& mesh, const std::string& name, std::size_t copies = 1)
+    /// Where a new vertex of a refined mesh stands.
+    using Settle = std::function<vec3(const vec3& position)>;
+
+    void write(const Mesh& coarse, const std::string& name, std::size_t copies = 1, const Settle& settle = {})
     {
+        // What carpenters make is smooth.
+        const float roughness = name == "pier" || name == "boat" ? 0.004f : 0.03f;
+        const Mesh mesh = refined(coarse, refinement_, roughness, settle);
         writeObj(folder_ / (name + ".obj"), mesh, name);
         vertices_ += mesh.positions.size();
         faces_ += mesh.faces.size();
@@ -70,6 +93,7 @@ public:
 
 private:
     std::filesystem::path folder_;
+    Refinement refinement_;
     std::size_t vertices_ = 0, faces_ = 0, drawn_ = 0;
 };
 
@@ -125,8 +149,9 @@ void make(const Arguments& arguments)
     for (const Shade& shade : otherShades(boulders, site))
         shades.push_back(shade);
 
-    Output output(arguments.out);
-    output.write(makeTerrain(shape, shades, seed + 8), "terrain");
+    Output output(arguments.out, Refinement::times(arguments.scale));
+    output.write(makeTerrain(shape, shades, seed + 8), "terrain", 1,
+                 [&](const vec3& p) { return shape.onGround({p.x, p.z}); });
     output.write(makeMountains(seed + 9), "mountains");
     output.write(makeBoulders(boulders, shape, seed + 10), "boulders");
     output.write(makeStones(shape, Random(seed, 11)), "stones");

@@ -146,4 +146,12 @@ PanelResult drawPanel(const FieldTree& tree, float scale, bool& open, const std:
     return result;
 }
 
+void drawPlan(const std::string& table)
+{
+    if (!ImGui::CollapsingHeader("This frame")) return;
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(table.c_str());
+    ImGui::PopTextWrapPos();
+}
+
 } // namespace tarn

@@ -4,6 +4,7 @@
 #include "base/fields.h"
 
 #include <functional>
+#include <string>
 
 namespace tarn
 {
@@ -16,5 +17,8 @@ struct PanelResult {
 /// Between ImGuiLayer::beginFrame and draw.
 /// @param above widgets to stand over the options, or nothing
 PanelResult drawPanel(const FieldTree& tree, float scale, bool& open, const std::function<void()>& above = {});
+
+/// What the last frame ran and left out, and why; folded until it is opened. Within drawPanel's `above`.
+void drawPlan(const std::string& table);
 
 } // namespace tarn

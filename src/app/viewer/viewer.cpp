@@ -1,5 +1,6 @@
 #include "app/viewer/viewer.h"
 
+#include "app/plan_report.h"
 #include "app/program.h"
 #include "app/version.h"
 #include "app/viewer/display_guard.h"
@@ -12,6 +13,7 @@
 #include "base/log.h"
 #include "gl/framebuffer.h"
 #include "plan/stereo.h"
+#include "render/warm_up.h"
 
 #include <GLFW/glfw3.h>
 
@@ -174,6 +176,8 @@ void Viewer::makeRenderer()
     renderer_ =
         std::make_unique<Renderer>(stage_.scene, stage_.settings.options, *shaders_, profiler_, &progress);
     renderer_->setOptions(stage_.settings.options, stage_.settings.water);
+    progress.report(1.0, "building shaders");
+    warmUp(*renderer_, stage_.settings.water);
 }
 
 void Viewer::frame()
@@ -314,7 +318,10 @@ void Viewer::drawWidgets(const FrameStats& stats)
     if (helpOpen_) drawHelp(widgets_.scale(), helpOpen_);
     if (panelOpen_) {
         std::function<void()> choice;
-        if (compares()) choice = [this] { comparison_->drawChoice(); };
+        choice = [&] {
+            if (compares()) comparison_->drawChoice();
+            drawPlan(toTable(stats.plan));
+        };
         const PanelResult result = drawPanel(fieldTree(stage_.settings), widgets_.scale(), panelOpen_, choice);
         if (result.reset) stage_.settings = startSettings_;
         if (result.reset || result.changed)

@@ -34,7 +34,7 @@ void planSweeps(TradePlan& plan, const std::vector<Sweep>& sweeps, const Describ
         TradePlan::SweptPoints swept{sweep, {}};
         for (const std::string& value : sweep.values)
             swept.points.push_back(
-                addPoint(plan.points, makePoint({{sweep.key, value}}, "", "sweep", describe)));
+                addPoint(plan.points, makePoint(sweep.changes(value), "", "sweep", describe)));
         plan.sweeps.push_back(std::move(swept));
     }
 }
@@ -51,7 +51,8 @@ void planGrid(TradePlan& plan, const std::vector<Sweep>& sweeps, const DescribeS
         Changes changes;
         std::size_t rest = i;
         for (const Sweep& sweep : sweeps) {
-            changes[sweep.key] = sweep.values[rest % sweep.values.size()];
+            for (const auto& [key, value] : sweep.changes(sweep.values[rest % sweep.values.size()]))
+                changes[key] = value;
             rest /= sweep.values.size();
         }
         addPoint(plan.points, makePoint(changes, "", "grid", describe));
@@ -90,6 +91,8 @@ std::vector<std::string> defaultSweeps()
             "refraction.method=planar,iterative,raycast,combined",
             "reflection.target_size=128:1024:*2",
             "reflection.method=distance,iterative,raycast,combined",
+            "heights.march=classic,pyramid@refraction.method=raycast",
+            "heights.march=classic,pyramid@reflection.method=raycast",
             "reflection.facets=one,three,five",
             "water.fresnel=schlick,table,exact",
             "water.grid=uniform,focused",

@@ -196,6 +196,7 @@ std::vector<TradePoint> walkPoints(const TradeSetup& setup, const std::vector<Po
     const WalkError errorOf(setup, results);
     std::vector<SweptOption> options;
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps) {
+        if (!swept.sweep.with.empty()) continue; // what it adds is not added to any setting of the others
         SweptOption option{swept.sweep.key, {}};
         for (std::size_t i = 0; i < swept.points.size(); ++i) {
             const Measured& measured = results[swept.points[i]].mean;

@@ -105,7 +105,7 @@ json sweepsJson(const TradePlan& plan)
         for (const std::size_t i : swept.points)
             ids.push_back(plan.points[i].id);
         list.push_back(
-            {{"key", swept.sweep.key}, {"values", swept.sweep.values}, {"points", std::move(ids)}});
+            {{"key", swept.sweep.title()}, {"values", swept.sweep.values}, {"points", std::move(ids)}});
     }
     return list;
 }

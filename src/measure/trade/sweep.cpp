@@ -91,10 +91,31 @@ std::string written(const std::string& key, const std::string& value, const Desc
 
 } // namespace
 
+Changes Sweep::changes(const std::string& value) const
+{
+    Changes all = with;
+    all[key] = value;
+    return all;
+}
+
+std::string Sweep::title() const
+{
+    std::string others;
+    for (const auto& [other, value] : with)
+        others += fmt::format("{}{}={}", others.empty() ? "" : ", ", other, value);
+    return others.empty() ? key : fmt::format("{} ({})", key, others);
+}
+
 Sweep parseSweep(std::string_view text, const DescribeSettings& describe)
 {
-    const Assignment assignment = parseAssignment(text, origin);
+    std::vector<std::string> parts = split(text, '@');
+    const Assignment assignment = parseAssignment(parts.front(), origin);
     Sweep sweep{assignment.key, {}};
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const Assignment other = parseAssignment(parts[i], origin);
+        if (other.key == sweep.key) throw UsageError("{} {}: sets {} beside its sweep", origin, text, other.key);
+        sweep.with[other.key] = written(other.key, other.value, describe);
+    }
     for (const std::string& value : parseValues(assignment.value, text)) {
         std::string canonical = written(sweep.key, value, describe);
         if (std::find(sweep.values.begin(), sweep.values.end(), canonical) == sweep.values.end())
@@ -109,9 +130,9 @@ std::vector<Sweep> parseSweeps(const std::vector<std::string>& texts, const Desc
     for (const std::string& text : texts) {
         Sweep sweep = parseSweep(text, describe);
         for (const Sweep& other : sweeps)
-            if (other.key == sweep.key)
+            if (other.title() == sweep.title())
                 throw UsageError("{} {}: {} is swept twice; give all its values at once", origin, text,
-                                 sweep.key);
+                                 sweep.title());
         sweeps.push_back(std::move(sweep));
     }
     return sweeps;

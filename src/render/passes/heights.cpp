@@ -2,6 +2,7 @@
 
 #include "gl/state.h"
 #include "render/frame_light.h"
+#include "render/map_texture.h"
 
 namespace tarn {
 
@@ -59,6 +60,12 @@ void HeightsPass::readHeights(const Inputs& inputs)
     for (std::size_t i = 0; i < depths.size(); ++i)
         field_.heights.push_back(faces[i] > 0.5f ? inputs.highest
                                                  : glm::mix(inputs.highest, inputs.lowest, depths[i]));
+    uploadHeights();
+    drawn_ = inputs;
+}
+
+void HeightsPass::uploadHeights()
+{
     heights_ = gl::Texture({.format = gl::Format::r32f,
                             .size = ivec2(field_.edge),
                             .mipmaps = true,
@@ -67,7 +74,26 @@ void HeightsPass::readHeights(const Inputs& inputs)
     heights_.upload(field_.heights);
     const std::vector<std::vector<float>> levels = largestHeights(field_);
     for (std::size_t i = 0; i < levels.size(); ++i) heights_.upload(levels[i], 0, 0, static_cast<int>(i) + 1);
-    drawn_ = inputs;
+}
+
+void HeightsPass::take(const HeightMapPicture& picture)
+{
+    field_ = {{picture.centre, 0.5f * picture.extent}, picture.edge, picture.heights, picture.lowest};
+    uploadHeights();
+    given_ = Given{mapColour(picture, 0, "heights radiance"), mapColour(picture, 1, "heights response")};
+}
+
+HeightMapPicture HeightsPass::picture() const
+{
+    HeightMapPicture picture;
+    picture.kind = MapKind::bed;
+    picture.edge = field_.edge;
+    picture.centre = field_.rect.centre;
+    picture.extent = 2.0f * field_.rect.halfExtent;
+    picture.lowest = field_.lowest;
+    picture.heights = field_.heights;
+    picture.colours = {readMapColour(radiance()), readMapColour(response())};
+    return picture;
 }
 
 } // namespace tarn

@@ -40,17 +40,31 @@ public:
     /// After both.
     void readHeights(const Inputs& inputs);
 
+    /// From now on this map is it, and none is drawn.
+    void take(const HeightMapPicture& picture);
+    bool isGiven() const { return given_.has_value(); }
+    /// As it is, without its light. Waits for the GPU.
+    HeightMapPicture picture() const;
+
     const HeightField& field() const { return field_; }
-    const gl::Texture& heights() const { return heights_; }   ///< r32f, with the pyramid of largest heights as its levels
-    const gl::Texture& radiance() const { return map_.colour(0); } ///< of the sky, of lamps and of what shines itself
-    const gl::Texture& response() const { return map_.colour(1); } ///< for a unit of the sun's irradiance facing it
+    const gl::Texture& heights() const { return heights_; } ///< r32f, with the pyramid of largest heights as its levels
+    /// Of the sky, of lamps and of what shines itself.
+    const gl::Texture& radiance() const { return given_ ? given_->radiance : map_.colour(0); }
+    /// For a unit of the sun's irradiance on a surface that faces it.
+    const gl::Texture& response() const { return given_ ? given_->response : map_.colour(1); }
 
 private:
+    struct Given {
+        gl::Texture radiance, response;
+    };
+    void uploadHeights();
+
     gl::Target map_{"heights"};
     gl::Target solid_{"heights solid"};
     gl::Texture heights_;
     HeightField field_;
     std::optional<Inputs> drawn_;
+    std::optional<Given> given_;
 };
 
 } // namespace tarn

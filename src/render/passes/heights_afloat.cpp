@@ -2,32 +2,18 @@
 
 #include "gl/state.h"
 #include "render/frame_light.h"
+#include "render/map_texture.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 namespace tarn {
 
-namespace {
-
-constexpr float nothing = 1.0e4f; // as in afloat_march.glsl
-
-struct Column {
-    float underside = nothing, top = -nothing, seenFromBelow = -nothing, spare = 0.0f;
+/// A texel of the heights.
+struct AfloatHeightsPass::Column {
+    float underside = nothingAfloat, top = -nothingAfloat, seenFromBelow = -nothingAfloat, spare = 0.0f;
 };
-
-void widen(Column& range, const Column& one)
-{
-    range.underside = std::min(range.underside, one.underside);
-    range.top = std::max(range.top, one.top);
-}
-
-std::span<const float> floatsOf(const std::vector<Column>& columns)
-{
-    static_assert(sizeof(Column) == 4 * sizeof(float));
-    return {&columns.front().underside, 4 * columns.size()};
-}
-
-} // namespace
 
 bool AfloatHeightsPass::isStale(const Inputs& inputs, const HeightsOptions& options) const
 {
@@ -81,9 +67,24 @@ void AfloatHeightsPass::readHeights(const Inputs& inputs)
         if (side < 0.25f) continue;
         columns[i].top = glm::mix(inputs.highest, inputs.lowest, depthsAbove[i]);
         columns[i].seenFromBelow = glm::mix(inputs.lowest, inputs.highest, depthsBelow[i]);
-        columns[i].underside = side > 0.75f ? columns[i].seenFromBelow : -nothing;
+        columns[i].underside = side > 0.75f ? columns[i].seenFromBelow : -nothingAfloat;
     }
-    const int edge = above_.size().x;
+    uploadHeights(std::move(columns), above_.size().x);
+    rect_ = inputs.rect;
+    highest_ = inputs.highest;
+    drawn_ = inputs;
+}
+
+void AfloatHeightsPass::uploadHeights(std::vector<Column> columns, int edge)
+{
+    const auto floatsOf = [](const std::vector<Column>& level) {
+        static_assert(sizeof(Column) == 4 * sizeof(float));
+        return std::span<const float>{&level.front().underside, 4 * level.size()};
+    };
+    const auto widen = [](Column& range, const Column& one) {
+        range.underside = std::min(range.underside, one.underside);
+        range.top = std::max(range.top, one.top);
+    };
     heights_ = gl::Texture(
         {.format = gl::Format::rgba32f, .size = ivec2(edge), .mipmaps = true, .filter = gl::Filter::nearest},
         "heights afloat");
@@ -92,9 +93,39 @@ void AfloatHeightsPass::readHeights(const Inputs& inputs)
         columns = coarserLevel(columns, edge >> (level - 1), level == 1, Column{}, widen);
         heights_.upload(floatsOf(columns), 0, 0, level);
     }
-    rect_ = inputs.rect;
-    range_ = {inputs.lowest, inputs.highest};
-    drawn_ = inputs;
+}
+
+const gl::Texture& AfloatHeightsPass::radiance(From from) const
+{
+    if (given_) return from == From::above ? given_->above : given_->below;
+    return (from == From::above ? above_ : below_).colour(0);
+}
+
+void AfloatHeightsPass::take(const HeightMapPicture& picture)
+{
+    std::vector<Column> columns;
+    highest_ = -nothingAfloat;
+    for (std::size_t i = 0; i < picture.heights.size(); i += 3) {
+        columns.push_back({picture.heights[i], picture.heights[i + 1], picture.heights[i + 2]});
+        highest_ = std::max(highest_, std::max(columns.back().top, columns.back().seenFromBelow));
+    }
+    uploadHeights(std::move(columns), picture.edge);
+    rect_ = {picture.centre, 0.5f * picture.extent};
+    given_ = Given{mapColour(picture, 0, "heights from above"), mapColour(picture, 1, "heights from below")};
+}
+
+HeightMapPicture AfloatHeightsPass::picture() const
+{
+    HeightMapPicture picture;
+    picture.kind = MapKind::afloat;
+    picture.edge = heights_.size().x;
+    picture.centre = rect_.centre;
+    picture.extent = 2.0f * rect_.halfExtent;
+    const std::vector<float> columns = heights_.readBack();
+    for (std::size_t i = 0; i < columns.size(); i += 4)
+        picture.heights.insert(picture.heights.end(), &columns[i], &columns[i] + 3);
+    picture.colours = {readMapColour(radiance(From::above)), readMapColour(radiance(From::below))};
+    return picture;
 }
 
 } // namespace tarn

@@ -33,18 +33,31 @@ public:
     /// After both.
     void readHeights(const Inputs& inputs);
 
+    /// From now on this map is it, and none is drawn.
+    void take(const HeightMapPicture& picture);
+    bool isGiven() const { return given_.has_value(); }
+    /// As it is, without its light. Waits for the GPU.
+    HeightMapPicture picture() const;
+
     /// rgba32f: underside, top and what is seen from below, m (shaders/passes/afloat_march.glsl); levels: the pyramid.
     const gl::Texture& heights() const { return heights_; }
-    const gl::Texture& radiance(From from) const { return (from == From::above ? above_ : below_).colour(0); }
+    const gl::Texture& radiance(From from) const;
     const LevelRect& rect() const { return rect_; }
-    vec2 range() const { return range_; } ///< lowest and highest, m
+    float highest() const { return highest_; } ///< over all that stands there, m
 
 private:
+    struct Given {
+        gl::Texture above, below; ///< radiance
+    };
+    struct Column;
+    void uploadHeights(std::vector<Column> columns, int edge);
+
     gl::Target above_{"heights from above"}, below_{"heights from below"};
     gl::Texture heights_;
     LevelRect rect_;
-    vec2 range_{0.0f};
+    float highest_ = 0.0f;
     std::optional<Inputs> drawn_;
+    std::optional<Given> given_;
 };
 
 } // namespace tarn

@@ -21,6 +21,7 @@ public:
         float level = 0.0f;
         bool dithersCutOuts = false;
         bool hasWater = true; ///< else the whole scene stands in the air
+        float detail = 0.0f;  ///< pixels by which geometry may be off in a map
         bool operator==(const Inputs&) const = default;
     };
 

@@ -63,7 +63,7 @@ void setAfloat(gl::Program& p, const AfloatHeightsPass& afloat)
     p.texture("afloatAbove", afloat.radiance(From::above));
     p.texture("afloatBelow", afloat.radiance(From::below));
     p.set("afloatRect", vec4(afloat.rect().centre, afloat.rect().halfExtent));
-    p.set("afloatRange", afloat.range());
+    p.set("afloatHighest", afloat.highest());
 }
 
 bool showsPhong(const Options& options, const WaterPass::Inputs& inputs)

@@ -1,0 +1,2 @@
+// Nothing is written; what passes the depth test is counted.
+void main() {}

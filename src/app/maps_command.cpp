@@ -1,0 +1,83 @@
+// tarn maps: what rays are marched through, as pictures that a scene file can name.
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/session.h"
+#include "app/version.h"
+#include "base/error.h"
+#include "base/files.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace tarn
+{
+
+namespace
+{
+
+/// Straight over the water and all of it in the picture, so that both maps are asked for.
+Camera overWater(const WaterBody& water)
+{
+    const float height = std::max(water.extent.x, water.extent.y) + 2.0f * totalAmplitude(water);
+    Camera camera;
+    camera.name = "maps";
+    camera.target = {water.centre.x, water.level, water.centre.y};
+    camera.eye = camera.target + vec3(0.0f, height, 0.0f);
+    camera.up = {0.0f, 0.0f, -1.0f};
+    camera.farPlane = 2.0f * height;
+    camera.nearPlane = 1.0e-3f * height;
+    return camera;
+}
+
+/// A frame that marches through both maps, and draws them: none that the scene has from outside.
+void wantBothDrawn(Stage& stage)
+{
+    stage.scene.maps = {};
+    Options& options = stage.settings.options;
+    options.refraction.enabled = options.reflection.enabled = options.water.reflects = true;
+    options.refraction.method = RefractionOptions::Method::raycast;
+    options.reflection.method = ReflectionOptions::Method::raycast;
+    options.stereo.output = StereoOptions::Output::off;
+}
+
+} // namespace
+
+void run(const MapsCommand& command)
+{
+    requireWritableJson(command.json);
+    makeFolder(command.out);
+    requireWritableFolder(command.out);
+    TerminalProgress progress;
+    Stage stage = loadStage(command.scene, &progress);
+    if (!stage.settings.water.present || !stage.settings.options.water.enabled)
+        throw Error("{}: has no water, and maps of heights are of what lies under it and stands over it",
+                    stage.scene.file.string());
+    wantBothDrawn(stage);
+
+    constexpr ivec2 any(64); // the maps' own size is heights.map_size
+    Session session(stage, any, &progress);
+    const Camera camera = overWater(stage.settings.water);
+    session.renderer().render({camera, 0.0, any});
+    nlohmann::json files = nlohmann::json::array();
+    for (const MapKind kind : {MapKind::bed, MapKind::afloat}) {
+        const std::optional<HeightMapPicture> map = session.renderer().readMap(kind);
+        if (!map) throw Error("{}: the map '{}' was not drawn", stage.scene.file.string(), mapName(kind));
+        const std::filesystem::path file = command.out / fmt::format("{}.exr", mapName(kind));
+        writeMapPicture(file, *map,
+                        {{"tarn:version", versionText()},
+                         {"tarn:scene", stage.scene.file.filename().string()},
+                         {"tarn:settings", settingsJson(stage.settings)}});
+        files.push_back({{"map", mapName(kind)},
+                         {"file", file.string()},
+                         {"edge", map->edge},
+                         {"centre", {map->centre.x, map->centre.y}},
+                         {"extent", {map->extent.x, map->extent.y}}});
+    }
+    writeJson(command.json, {{"scene", stage.scene.file.string()}, {"maps", files}});
+    if (command.json == "-") return;
+    for (const nlohmann::json& file : files)
+        fmt::print("{}\n", file.at("file").get<std::string>());
+}
+
+} // namespace tarn

@@ -1,0 +1,33 @@
+#include "plan/rules.h"
+
+namespace tarn {
+
+namespace {
+
+// In the order of RuleId. Not among them, because no bound can be proved: a scissor over the refraction and reflection
+// targets (their search looks up points along a ray of any length, which no bounds of the water on the screen hold), and
+// leaving out waves shorter than a pixel (the point U and the refracted ray are those of all waves).
+constexpr std::array<Rule, ruleCount> table{{
+    {"cull_chunks", "Leave out the chunks of the scene that a pass's own frustum, clip plane or the water's surface hides",
+     nullptr, 1},
+    {"water_out_of_view", "No targets, surface or glow while the water is outside the view's frustum", nullptr, 1},
+    {"water_hidden", "No targets and no surface while the scene hides the water: asked in the depth of the same frame", nullptr,
+     1},
+    {"only_sky_mirrored", "No reflection target while its camera sees nothing but sky: the sky is looked up itself",
+     "the sky's change between the ray and the texel that the target would show for it, its border included", 3},
+    {"no_bed", "No refraction target while its camera sees nothing: the water's colour stands for it", nullptr, 1},
+    {"bed_too_deep", "No refraction target while too much water absorbs all that its camera sees",
+     "half of 1/255, for a bed whose sunlight waves gather up to 16-fold", 1},
+    {"nothing_for_caustics", "No caustics while no camera sees anything under water", nullptr, 1},
+    {"glow_out_of_view", "No glow while no wave can mirror its lobe into the view", "half of 1/255", 1},
+    {"keep_maps", "Keep the sun's maps, the maps of heights and the caustics while what they are made of stays as it is",
+     nullptr, 1},
+    {"keep_targets", "Keep the refraction and reflection targets while what they are made of stays as it is", nullptr, 1},
+    {"keep_frame", "Keep the whole picture while nothing changes", nullptr, 1},
+}};
+
+} // namespace
+
+const Rule& rule(RuleId id) { return table[static_cast<std::size_t>(id)]; }
+
+} // namespace tarn

@@ -1,0 +1,27 @@
+// What the cameras of a frame may see of the scene: the facts that the plan's rules go by.
+#pragma once
+
+#include "optics/blocks.h"
+#include "plan/options.h"
+#include "plan/sight.h"
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace tarn {
+
+/// The box of one chunk of the scene, and what it is made of.
+struct SceneBox {
+    Bounds boundsW;
+    int material = 0;
+};
+
+/// Every chunk of the scene, in world space.
+std::vector<SceneBox> listBoxes(const Scene& scene);
+
+/// For an eye above the water; what an eye under it sees, no rule asks for.
+/// @param aspect width / height of the picture   @param light of the frame (render/frame_light.h)
+Sight lookAround(const std::vector<SceneBox>& boxes, const Scene& scene, const WaterBody& water, const Camera& camera,
+                 float aspect, const Options& options, const blocks::FrameBlock& light);
+
+} // namespace tarn

@@ -1,0 +1,237 @@
+// What a frame keeps of the one before, and what it leaves out by its own depth, must not be seen in it.
+#include "gl_test.h"
+
+#include "gl/shader_library.h"
+#include "studio.h"
+#include "test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tarn::test {
+
+namespace {
+
+constexpr ivec2 size(96, 72);
+
+/// A bed, a thing in the water, a thing over it, a sun.
+Scene pond()
+{
+    Scene scene = flatLake(2.0f, 30.0f);
+    addBox(scene, {-1, -1.9f, -1}, {1, -0.7f, 1}, 0);
+    addBox(scene, {-4, -0.5f, -4}, {-3, 1.5f, -3}, 0);
+    scene.sun = Sun{normalize(vec3(0.3f, 1.0f, -0.4f)), vec3(2.0f), false};
+    return scene;
+}
+
+Options smallOptions()
+{
+    Options options;
+    options.sunlight.mapSize = 256;
+    options.refraction.targetSize = options.reflection.targetSize = 128;
+    options.caustics.photons = options.caustics.textureSize = 64;
+    return options;
+}
+
+Camera cameraAt(const vec3& eye, const vec3& target = vec3(0.0f))
+{
+    Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    return camera;
+}
+
+/// A renderer that plans, and one that draws everything.
+struct Pair {
+    Pair(const Scene& scene, Options o) : options(o), planned(scene, o), full(scene, unplanned(o)), water(scene.water) {}
+
+    static Options unplanned(Options options)
+    {
+        options.plan.enabled = false;
+        return options;
+    }
+
+    void change(const Options& to)
+    {
+        options = to;
+        planned.renderer.setOptions(to, water);
+        full.renderer.setOptions(unplanned(to), water);
+    }
+
+    /// Draws both and expects the same picture.
+    const FrameStats& draw(const Camera& camera, double time)
+    {
+        const FrameStats& stats = planned.renderer.render({camera, time, size});
+        full.renderer.render({camera, time, size});
+        const Image a = planned.renderer.readDisplay(), b = full.renderer.readDisplay();
+        int most = 0;
+        for (std::size_t i = 0; i < b.bytes.size(); ++i) most = std::max(most, std::abs(int(a.bytes[i]) - int(b.bytes[i])));
+        EXPECT_LE(most, 1) << "at " << time << " from " << camera.eye.x << ", " << camera.eye.y << ", " << camera.eye.z;
+        return stats;
+    }
+
+    Options options;
+    Stage planned, full;
+    WaterBody water;
+};
+
+bool drew(const FrameStats& stats, PassId pass)
+{
+    return std::any_of(stats.passes.begin(), stats.passes.end(), [&](const FrameStats::Pass& drawn) {
+        return drawn.name == passName(pass) && drawn.drawCalls > 0;
+    });
+}
+
+} // namespace
+
+TEST(FrameKept, NothingIsDrawnAgainWhileNothingChanges)
+{
+    const Scene scene = pond();
+    Pair pair(scene, smallOptions());
+    const Camera camera = cameraAt({0, 2, 7});
+    EXPECT_FALSE(pair.draw(camera, 0.0).plan.rule(RuleId::keepFrame).applies);
+    const FrameStats& again = pair.draw(camera, 5.0); // still water: time moves nothing
+    EXPECT_TRUE(again.plan.rule(RuleId::keepFrame).applies);
+    EXPECT_TRUE(again.passes.empty());
+    EXPECT_FALSE(pair.draw(cameraAt({0, 2, 6.9f}), 5.0).plan.rule(RuleId::keepFrame).applies);
+    Options brighter = pair.options;
+    brighter.frame.exposure = 2.0f;
+    pair.change(brighter);
+    const FrameStats& changed = pair.draw(cameraAt({0, 2, 6.9f}), 5.0);
+    EXPECT_FALSE(changed.plan.rule(RuleId::keepFrame).applies);
+    brighter.plan.rules[static_cast<std::size_t>(RuleId::keepFrame)] = false;
+    pair.change(brighter);
+    pair.draw(camera, 5.0);
+    EXPECT_FALSE(pair.draw(camera, 5.0).plan.rule(RuleId::keepFrame).applies);
+}
+
+TEST(FrameKept, APausedMomentIsKeptAndTheNextOneIsNot)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    Pair pair(scene, smallOptions());
+    const Camera camera = cameraAt({0, 2, 7});
+    pair.draw(camera, 0.5);
+    EXPECT_TRUE(pair.draw(camera, 0.5).plan.rule(RuleId::keepFrame).applies);
+    EXPECT_FALSE(pair.draw(camera, 0.6).plan.rule(RuleId::keepFrame).applies);
+}
+
+// Waves move, the eye does not: what the targets hold is the same but for the caustics in it.
+TEST(FrameKept, TargetsStayWhileOnlyTheSurfaceMoves)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}, {0.02f, 0.9f, 1.2f, 0.0f, 0.0f}};
+    Options options = smallOptions();
+    options.caustics.enabled = false;
+    Pair pair(scene, options);
+    const Camera camera = cameraAt({0, 2, 7});
+    pair.draw(camera, 0.0);
+    const FrameStats& moved = pair.draw(camera, 0.3);
+    EXPECT_TRUE(moved.plan.rule(RuleId::keepTargets).applies) << moved.plan.rule(RuleId::keepTargets).why;
+    EXPECT_FALSE(drew(moved, PassId::refraction));
+    EXPECT_FALSE(drew(moved, PassId::reflection));
+    EXPECT_TRUE(drew(pair.draw(cameraAt({0, 2.1f, 7}), 0.3), PassId::refraction));
+    options.caustics.enabled = true;
+    pair.change(options);
+    pair.draw(camera, 0.3);
+    EXPECT_TRUE(drew(pair.draw(camera, 0.6), PassId::refraction)) << "the caustics on the bed have moved";
+}
+
+TEST(FrameKept, CausticsOfStillWaterAreMadeOnce)
+{
+    Scene scene = pond();
+    Options options = smallOptions();
+    options.caustics.extent = 40.0f; // all of the water, wherever the eye is
+    Pair pair(scene, options);
+    EXPECT_TRUE(drew(pair.draw(cameraAt({0, 2, 7}), 0.0), PassId::caustics));
+    const FrameStats& moved = pair.draw(cameraAt({1, 3, 6}), 1.0);
+    EXPECT_FALSE(drew(moved, PassId::caustics));
+    EXPECT_NE(moved.plan.rule(RuleId::keepMaps).why.find("caustics"), std::string::npos);
+    scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    pair.water = scene.water;
+    pair.change(pair.options);
+    EXPECT_TRUE(drew(pair.draw(cameraAt({1, 3, 6}), 1.0), PassId::caustics));
+    EXPECT_TRUE(drew(pair.draw(cameraAt({1, 3, 6}), 1.1), PassId::caustics));
+}
+
+// A wall before the water, and steps aside: what the last frame saw decides only whether this one asks.
+TEST(FrameHiddenWater, NoFrameIsWrongWhenTheEyeJumps)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    addBox(scene, {-30, -2, 16}, {30, 8, 17}, 0);
+    Pair pair(scene, smallOptions());
+    const Camera behind = cameraAt({0, 2, 20}, {0, 1, 0}), before = cameraAt({0, 2, 12}), aside = cameraAt({0, 9.5f, 20});
+    const auto asks = [](const FrameStats& stats) { return stats.plan.rule(RuleId::waterHidden).applies; };
+    EXPECT_FALSE(asks(pair.draw(before, 0.0)));
+    EXPECT_FALSE(asks(pair.draw(behind, 0.1))) << "nothing hid the water before";
+    EXPECT_TRUE(asks(pair.draw(behind, 0.2)));
+    EXPECT_TRUE(asks(pair.draw(aside, 0.3))) << "over the wall some water is seen, which the frame itself finds out";
+    EXPECT_FALSE(asks(pair.draw(aside, 0.4)));
+    pair.draw(behind, 0.5);
+    EXPECT_TRUE(asks(pair.draw(behind, 0.6)));
+    EXPECT_TRUE(asks(pair.draw(before, 0.7)));
+    EXPECT_FALSE(asks(pair.draw(before, 0.8)));
+}
+
+// Each rule where it applies, against the full frame: pictures differ by a step of the display at most.
+TEST(FrameLeftOut, WhatIsNotThereIsNotMissed)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    scene.elements.clear(); // no bed, and nothing over it
+    Pair pair(scene, smallOptions());
+    const FramePlan& plan = pair.draw(cameraAt({0, 2, 7}), 0.2).plan;
+    for (const RuleId id : {RuleId::onlySkyMirrored, RuleId::noBed, RuleId::nothingForCaustics})
+        EXPECT_TRUE(plan.rule(id).applies) << rule(id).name << ": " << plan.rule(id).why;
+    EXPECT_FALSE(plan[PassId::refraction].wanted);
+    EXPECT_FALSE(plan[PassId::reflection].wanted);
+}
+
+TEST(FrameLeftOut, ABedUnderTooMuchWaterIsNotMissed)
+{
+    Scene scene = flatLake(6.0f, 30.0f);
+    scene.sun = Sun{normalize(vec3(0.3f, 1.0f, -0.4f)), vec3(2.0f), false};
+    scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    scene.water.absorption = vec3(1.2f);
+    Pair pair(scene, smallOptions());
+    EXPECT_TRUE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::bedTooDeep).applies);
+    scene.water.absorption = vec3(0.2f);
+    pair.water = scene.water;
+    pair.change(pair.options);
+    EXPECT_FALSE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::bedTooDeep).applies);
+}
+
+TEST(FrameLeftOut, AGlowBehindTheEyeIsNotMissed)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.02f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    scene.sun->direction = normalize(vec3(0.0f, 0.4f, 1.0f));
+    Options options = smallOptions();
+    options.glow.strength = 10.0f;
+    Pair pair(scene, options);
+    EXPECT_TRUE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::glowOutOfView).applies);
+    EXPECT_FALSE(pair.draw(cameraAt({0, 2, -7}), 0.2).plan.rule(RuleId::glowOutOfView).applies) << "towards the sun";
+}
+
+// A debug view of the moment that a picture was just drawn of shows what that picture did not need.
+TEST(FrameLeftOut, DebugViewsOfTheSameMomentHaveIt)
+{
+    Scene scene = flatLake(3.0f, 30.0f);
+    scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    Pair pair(scene, smallOptions());
+    const Camera camera = cameraAt({0, 2, 7});
+    EXPECT_TRUE(pair.draw(camera, 0.2).plan.rule(RuleId::onlySkyMirrored).applies);
+    for (const DebugView view : {DebugView::reflection, DebugView::reflectionHit, DebugView::positionW}) {
+        pair.planned.renderer.render({camera, 0.2, size, view, true});
+        pair.full.renderer.render({camera, 0.2, size, view});
+        const Image a = pair.planned.renderer.readLinear(), b = pair.full.renderer.readLinear();
+        float most = 0.0f;
+        for (std::size_t k = 0; k < b.floats.size(); ++k) most = std::max(most, std::abs(a.floats[k] - b.floats[k]));
+        EXPECT_LT(most, 1.0e-3f);
+    }
+}
+
+} // namespace tarn::test

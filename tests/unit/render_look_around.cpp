@@ -1,0 +1,62 @@
+// What the cameras of a frame are said to see: never less than they do.
+#include "test_scenes.h"
+
+#include "render/look_around.h"
+
+#include <gtest/gtest.h>
+
+namespace tarn::test {
+
+namespace {
+
+Camera cameraAt(const vec3& eye, const vec3& target)
+{
+    Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    return camera;
+}
+
+Sight sightOf(const Scene& scene, const Camera& camera)
+{
+    return lookAround(listBoxes(scene), scene, scene.water, camera, 4.0f / 3.0f, {}, {});
+}
+
+} // namespace
+
+TEST(LookAround, AFlatBedIsABed)
+{
+    const Scene scene = flatLake(3.0f, 30.0f); // its box has no height
+    const Sight sight = sightOf(scene, cameraAt({0, 2, 7}, {0, 0, 0}));
+    EXPECT_TRUE(sight.seesBed);
+    EXPECT_TRUE(sight.refractionReceives);
+    EXPECT_FALSE(sight.mainReceives) << "the surface hides it";
+    EXPECT_FALSE(sight.mirrors);
+    EXPECT_FALSE(sight.reflectionReceives);
+    EXPECT_FLOAT_EQ(sight.leastDepth, 3.0f);
+    EXPECT_NEAR(sight.bedReflectance.x, 0.5f / pi, 1.0e-6f);
+}
+
+TEST(LookAround, WhatStandsThroughTheSurfaceIsMirroredAndWet)
+{
+    Scene scene = flatLake(3.0f, 30.0f);
+    addBox(scene, {-1, -2, -1}, {1, 1, 1}, 0);
+    const Sight sight = sightOf(scene, cameraAt({0, 2, 7}, {0, 0, 0}));
+    EXPECT_TRUE(sight.mirrors);
+    EXPECT_TRUE(sight.reflectionReceives) << "down to the clip offset";
+    EXPECT_TRUE(sight.mainReceives) << "up to the level itself";
+    EXPECT_FLOAT_EQ(sight.leastDepth, -1.0f);
+}
+
+TEST(LookAround, WhatStandsInTheAirOrBesideTheWaterIsDry)
+{
+    Scene scene = flatLake(3.0f, 30.0f);
+    scene.elements.clear();
+    addBox(scene, {-1, 0, -1}, {1, 1, 1}, 0);
+    addBox(scene, {16, -2, -1}, {18, 1, 1}, 0);
+    const Sight sight = sightOf(scene, cameraAt({0, 12, 37}, {8, 0, 0}));
+    EXPECT_TRUE(sight.mirrors);
+    EXPECT_FALSE(sight.mainReceives || sight.refractionReceives || sight.reflectionReceives);
+}
+
+} // namespace tarn::test
