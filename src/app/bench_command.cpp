@@ -75,11 +75,9 @@ std::vector<Configuration> rulesOf(const Settings& settings, const std::vector<R
     configurations.emplace_back("full", changed(settings, "plan.enabled=false", "--rules"));
     for (const RuleShare& share : applied) {
         const std::string assignment = fmt::format("plan.{}=false", rule(share.id).name);
-        if (share.frames > 0 && share.id != RuleId::keepFrame) configurations.emplace_back(assignment, changed(settings, assignment, "--rules"));
+        if (share.frames > 0) configurations.emplace_back(assignment, changed(settings, assignment, "--rules"));
     }
     configurations.emplace_back("planned", settings);
-    // Every second round the base follows itself, and still water would make it nothing but a kept picture.
-    for (auto& [name, each] : configurations) each = changed(each, "plan.keep_frame=false", "--rules");
     return configurations;
 }
 

@@ -16,7 +16,11 @@ constexpr double secondsPerFrame = 1.0 / 30.0;
 RenderedSubject::RenderedSubject(std::string name, Session& session, Settings settings,
                                  const SubjectView& view)
     : name_(std::move(name)), session_(session), settings_(std::move(settings)), view_(view)
-{}
+{
+    // Configurations take turns, and some follow themselves: a kept picture would be no price of theirs.
+    for (const RuleId id : {RuleId::keepFrame, RuleId::keepTargets})
+        settings_.options.plan.rules[static_cast<std::size_t>(id)] = false;
+}
 
 void RenderedSubject::draw(int index)
 {
