@@ -1,5 +1,7 @@
 #include "render/warm_up.h"
 
+#include "base/progress.h"
+
 namespace tarn {
 
 namespace {
@@ -26,11 +28,14 @@ Camera levelCamera(const vec3& eye)
 
 } // namespace
 
-void warmUp(Renderer& renderer, const WaterBody& water)
+void warmUp(Renderer& renderer, const WaterBody& water, Progress* progress)
 {
     const Options options = renderer.options();
     const Options all = tiny(options);
+    const double draws = water.present && options.water.enabled ? 7.0 : 4.0;
+    double done = 0.0;
     const auto draw = [&](const Options& variant, float height) {
+        if (progress) progress->report(done++ / draws, "building shaders");
         const Camera camera = levelCamera(vec3(water.centre.x, height, water.centre.y));
         renderer.setOptions(variant, water);
         renderer.render({camera, 0.0, {16, 12}});

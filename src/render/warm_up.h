@@ -8,6 +8,6 @@ namespace tarn {
 
 /// For the options and the water that the renderer has; debug views are left for when they are asked for.
 /// @param water the renderer's
-void warmUp(Renderer& renderer, const WaterBody& water);
+void warmUp(Renderer& renderer, const WaterBody& water, Progress* progress = nullptr);
 
 } // namespace tarn

@@ -176,8 +176,7 @@ void Viewer::makeRenderer()
     renderer_ =
         std::make_unique<Renderer>(stage_.scene, stage_.settings.options, *shaders_, profiler_, &progress);
     renderer_->setOptions(stage_.settings.options, stage_.settings.water);
-    progress.report(1.0, "building shaders");
-    warmUp(*renderer_, stage_.settings.water);
+    warmUp(*renderer_, stage_.settings.water, &progress);
 }
 
 void Viewer::frame()
