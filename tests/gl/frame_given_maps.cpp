@@ -1,4 +1,5 @@
 // Maps of heights that are given as pictures: as good as the drawn ones, and, made up, met where formulas say.
+#include "raycast_frames.h"
 #include "studio.h"
 #include "temp_folder.h"
 #include "test_scenes.h"
@@ -16,27 +17,11 @@ namespace {
 
 using glm::dvec3;
 
-constexpr ivec2 pictureSize(160, 120);
-constexpr double n = 1.33;
-
-Camera over(const vec3& eye, const vec3& target)
+/// Of the bed, and of what is mirrored.
+Options bothRaycast(HeightsOptions::March march = HeightsOptions::March::pyramid)
 {
-    Camera camera;
-    camera.eye = eye;
-    camera.target = target;
-    camera.verticalFov = glm::radians(45.0f);
-    camera.farPlane = 300.0f;
-    return camera;
-}
-
-Options raycastOptions(HeightsOptions::March march = HeightsOptions::March::pyramid)
-{
-    Options options;
-    options.refraction.method = RefractionOptions::Method::raycast;
+    Options options = raycastOptions(march);
     options.reflection.method = ReflectionOptions::Method::raycast;
-    options.heights.march = march;
-    options.heights.mapSize = 256;
-    options.glow.enabled = false;
     return options;
 }
 
@@ -87,7 +72,7 @@ TEST(GivenMaps, ShowWhatTheDrawnOnesShow)
     const TempFolder folder;
     Scene given = furnishedPool();
     {
-        Stage stage(drawn, raycastOptions());
+        Stage stage(drawn, bothRaycast());
         stage.renderer.render({camera, 0.3, pictureSize});
         const auto passOn = [&](MapKind kind, GivenMap& map) {
             const auto file = folder.path() / (std::string(mapName(kind)) + ".exr");
@@ -102,7 +87,7 @@ TEST(GivenMaps, ShowWhatTheDrawnOnesShow)
     EXPECT_EQ(given.maps.bed.picture->extent, vec2(10.0f)) << "the water and heights.border";
     const log::Capture log;
     for (const auto march : {HeightsOptions::March::pyramid, HeightsOptions::March::classic}) {
-        Stage a(drawn, raycastOptions(march)), b(given, raycastOptions(march));
+        Stage a(drawn, bothRaycast(march)), b(given, bothRaycast(march));
         for (const double time : {0.3, 0.8}) {
             EXPECT_EQ(trianglesOfMaps(a.renderer.render({camera, time, pictureSize})) > 0, time < 0.5);
             EXPECT_EQ(trianglesOfMaps(b.renderer.render({camera, time, pictureSize})), 0u) << "they are not drawn";
@@ -167,7 +152,7 @@ TEST(GivenMaps, ASlopeIsMetWhereSnellSays)
     scene.maps.bed.picture = bedMap(64, 8.0f, [](float x, float z) { return -1.2f + 0.15f * x - 0.1f * z; });
     int known = 0;
     const double worst = worstError(
-        scene, raycastOptions(), over({0, 1.6f, 4}, {0, -1, 0}), DebugView::positionW,
+        scene, bothRaycast(), over({0, 1.6f, 4}, {0, -1, 0}), DebugView::positionW,
         [](const dvec3& u, const dvec3& eyeRay) {
             const dvec3 r = refractedBy(eyeRay);
             const double t = (-1.2 + 0.15 * u.x - 0.1 * u.z - u.y) / (r.y - 0.15 * r.x + 0.1 * r.z);
@@ -200,7 +185,7 @@ TEST(GivenMaps, AStepIsMetOnEitherSideOfIt)
         if (t > 0.0 && std::abs(onRamp.x) < half - 0.001 && r.x > 0.1) return ++ramp, onRamp;
         return unknown;
     };
-    EXPECT_LT(worstError(scene, raycastOptions(), over({-1.5f, 1.0f, 2}, {0.5f, -1, 0}), DebugView::positionW, exact, known),
+    EXPECT_LT(worstError(scene, bothRaycast(), over({-1.5f, 1.0f, 2}, {0.5f, -1, 0}), DebugView::positionW, exact, known),
               2.0e-3);
     EXPECT_GT(low, 500);
     EXPECT_GT(high, 2000);
@@ -212,7 +197,7 @@ TEST(GivenMaps, AStepIsMetOnEitherSideOfIt)
         const dvec3 top = u + (-1.0 - u.y) / r.y * r;
         return top.z > 0.6 && top.z < 1.4 && std::abs(top.x) < 3.9 ? top : unknown;
     };
-    EXPECT_LT(worstError(scene, raycastOptions(), over({0, 1.6f, 5}, {0, -1, 0}), DebugView::positionW, onRidge, known), 2.0e-3);
+    EXPECT_LT(worstError(scene, bothRaycast(), over({0, 1.6f, 5}, {0, -1, 0}), DebugView::positionW, onRidge, known), 2.0e-3);
     EXPECT_GT(known, 1000);
 }
 
@@ -230,7 +215,7 @@ TEST(GivenMaps, WhatStandsOverTheWaterIsMirroredWhereItIs)
     scene.maps.afloat.picture = map;
     int known = 0;
     const double worst = worstError(
-        scene, raycastOptions(), over({0, 0.8f, 4}, {0, -0.4f, 0}), DebugView::reflectionHit,
+        scene, bothRaycast(), over({0, 0.8f, 4}, {0, -0.4f, 0}), DebugView::reflectionHit,
         [](const dvec3& u, const dvec3& eyeRay) {
             const dvec3 up(eyeRay.x, -eyeRay.y, eyeRay.z);
             const dvec3 hit = u + (1.0 - u.y) / up.y * up;
@@ -248,7 +233,7 @@ TEST(GivenMaps, TheBedFollowsTheSunsStrength)
     scene.sky.radiance = vec3(0.0f);
     scene.maps.bed.picture = bedMap(64, 8.0f, [](float, float) { return -1.0f; }, 0.2f);
     scene.maps.bed.picture->colours[0].assign(3 * 64 * 64, 0.0f);
-    Options options = raycastOptions();
+    Options options = bothRaycast();
     options.caustics.enabled = options.sunlight.shadows = false;
     const Camera camera = over({0, 2.5f, 0.1f}, {0, -1, 0});
     const auto middle = [&](float irradiance) {
@@ -269,7 +254,7 @@ TEST(GivenMaps, AnotherLightIsSaidOnce)
     const Camera camera = over({0.2f, 1.4f, 3.2f}, {0, -0.4f, -0.2f});
     HeightMapPicture map;
     {
-        Stage stage(scene, raycastOptions());
+        Stage stage(scene, bothRaycast());
         stage.renderer.render({camera, 0.0, pictureSize});
         map = stage.renderer.readMap(MapKind::bed).value();
     }
@@ -277,7 +262,7 @@ TEST(GivenMaps, AnotherLightIsSaidOnce)
     scene.maps.bed.picture = map;
     scene.sun = sunAt({-0.4f, 1.0f, 0.3f}, 3.0f);
     const log::Capture log;
-    Stage stage(scene, raycastOptions());
+    Stage stage(scene, bothRaycast());
     for (const double time : {0.0, 0.1}) stage.renderer.render({camera, time, pictureSize});
     ASSERT_EQ(warnings(log).size(), 1u);
     EXPECT_TRUE(warnings(log)[0].starts_with("bed.exr: the sun changed since this map was made"));

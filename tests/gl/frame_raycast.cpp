@@ -1,4 +1,5 @@
 // refraction.method = raycast: rays marched through the bed's heights, against formulas and against the other method.
+#include "raycast_frames.h"
 #include "studio.h"
 #include "test_scenes.h"
 
@@ -16,30 +17,6 @@ namespace tarn::test {
 namespace {
 
 using glm::dvec3;
-
-constexpr ivec2 pictureSize(160, 120);
-constexpr double n = 1.33;
-
-Camera over(const vec3& eye, const vec3& target)
-{
-    Camera camera;
-    camera.name = "test";
-    camera.eye = eye;
-    camera.target = target;
-    camera.verticalFov = glm::radians(45.0f);
-    camera.farPlane = 300.0f;
-    return camera;
-}
-
-Options raycastOptions(HeightsOptions::March march = HeightsOptions::March::pyramid, int mapSize = 256)
-{
-    Options options;
-    options.refraction.method = RefractionOptions::Method::raycast;
-    options.heights.march = march;
-    options.heights.mapSize = mapSize;
-    options.glow.enabled = false;
-    return options;
-}
 
 /// Calls a function with U, the refracted direction in still water and the value of each pixel that shows water.
 template <typename Visit>
