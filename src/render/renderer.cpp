@@ -7,26 +7,22 @@
 #include "plan/reduce.h"
 #include "render/bed_detail.h"
 #include "render/bindings.h"
+#include "render/drawing.h"
 #include "render/frame_light.h"
 #include "render/height_maps.h"
-#include "render/kept.h"
 #include "render/look_around.h"
-#include "render/passes/caustics.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
 #include "render/passes/glow.h"
 #include "render/passes/hidden_water.h"
 #include "render/passes/present.h"
-#include "render/passes/reflection.h"
-#include "render/passes/refraction.h"
 #include "render/passes/scene_pass.h"
 #include "render/passes/stereo.h"
-#include "render/passes/sunlight.h"
 #include "render/passes/water.h"
 #include "render/passes/waterline.h"
-#include "render/pixel_check.h"
 #include "render/read_back.h"
-#include "render/sun_views.h"
+#include "render/sun_stage.h"
+#include "render/water_targets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,9 +93,6 @@ bool wantsMore(const FramePlan& plan, const FramePlan& before)
     return false;
 }
 
-/// Foliage by chance of its share of a pixel is right in the mean of several pixels, and noise where one must do.
-bool ditherCutOuts(const FrameOptions& options) { return options.supersampling > 1; }
-
 /// Levels of detail leave something out, and approximately.
 bool allowsDetail(const Options& options) { return options.plan.enabled && !options.plan.exact; }
 
@@ -107,9 +100,10 @@ bool allowsDetail(const Options& options) { return options.plan.enabled && !opti
 
 struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p, Progress* progress)
-        : scene(s), options(o), water(s.water), shaders(library), profiler(p),
-          gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), causticsPass(shaders),
-          waterPass(shaders), waterline(shaders), hiddenWater(shaders), glowPass(shaders), downsample(shaders), presentPass(shaders), debugCopy(shaders), stereo(shaders)
+        : scene(s), options(o), water(s.water), shaders(library),
+          gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
+          waterPass(shaders), waterline(shaders), hiddenWater(shaders), glowPass(shaders), downsample(shaders),
+          presentPass(shaders), debugCopy(shaders), stereo(shaders)
     {
     }
 
@@ -117,9 +111,9 @@ struct Renderer::State {
     Options options;
     WaterBody water;
     gl::ShaderLibrary& shaders;
-    gl::Profiler& profiler;
     GpuScene gpuScene;
     ScenePainter painter;
+    Drawing drawing;
     Bounds bounds; ///< of the scene, world space
     std::vector<SceneBox> boxes = listBoxes(scene);
     float bedEdge = 0.0f; ///< m; of the triangles under water
@@ -128,20 +122,13 @@ struct Renderer::State {
 
     gl::UniformBuffer<blocks::FrameBlock> frameBlock =
         uniformBuffer<blocks::FrameBlock>(BlockIndex::frame, "frame block");
-    gl::UniformBuffer<blocks::ViewBlock> viewBlock =
-        uniformBuffer<blocks::ViewBlock>(BlockIndex::view, "view block");
-    gl::UniformBuffer<blocks::SunBlock> sunBlock = uniformBuffer<blocks::SunBlock>(BlockIndex::sun, "sun block");
     gl::UniformBuffer<blocks::WavesBlock> wavesBlock =
         uniformBuffer<blocks::WavesBlock>(BlockIndex::waves, "waves block");
 
     gl::Target frame{"frame"};
-    SunlightPass sunlight;
-    CausticsPass causticsPass;
+    SunStage sun;
     HeightMaps heights;
-    RefractionPass refraction;
-    ReflectionPass reflection;
-    RefractionPass refractionBelow; ///< of the pixels under water, in a frame that shows both sides
-    ReflectionPass reflectionBelow;
+    WaterTargets targets;
     ScenePass scenePass;
     WaterGrid waterGrid;
     WaterPass waterPass;
@@ -153,57 +140,38 @@ struct Renderer::State {
     DebugCopyPass debugCopy;
     StereoPass stereo;
 
-    Kept kept;
-
-    FrameStats stats;
-    bool checking = false;
-    std::vector<BadPixels> bad;
     const gl::Target* glow = nullptr;  ///< of this frame, or null
     const gl::Texture* sideOfPixels = nullptr; ///< of a frame that shows both sides of the surface, or null
     const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
     const gl::Target* beside = nullptr; ///< both eyes' displayed halves, or null for one eye
     const gl::Target* anaglyph = nullptr; ///< made of them, or null
-    bool hasSunlight = false; ///< this frame's maps of the sun are drawn, or kept
-    bool hasCaustics = false; ///< this frame's caustics are drawn; they are the same for both eyes
 
     // Of this frame, or of the eye that is being drawn.
     ivec2 drawnSize{1};      ///< of the frame, pixels: the picture's or a multiple of it
-    View main, refractionView, reflectionView;
-    View refractionViewBelow, reflectionViewBelow;
+    View main;
     Sight sight;
     bool looksUpAnew = true; ///< maps and targets are not as the last frame left them
     bool isBelow = false;    ///< all of the picture begins under water
-    bool isCrossing = false; ///< some of it does: the views above are of the air's side, those Below of the water's
+    bool isCrossing = false; ///< some of it does
     blocks::FrameBlock light{};
     blocks::WavesBlock waves{};
-    SunVolume volume;
-    CausticsRegion region;
-    PaintStyle lit; ///< what of the sun's light the passes look up
 
     void takeOptions(const Options& wanted, const WaterBody& body);
     void drawEye(const FrameInput& input, const Camera& head);
     void drawBothEyes(const FrameInput& input);
     const gl::Target& displayed() const { return anaglyph ? *anaglyph : beside ? *beside : presentPass.target(); }
     void beginEye(const FrameInput& input, const Camera& head);
-    void allowErrors(ivec2 picture);
-    void beginSunlight(const Camera& head);
-    void drawMaps();
-    void drawTargets(const FrameInput& input);
+    const FramePlan& plan() const { return drawing.plan(); }
+    void drawMaps(const Camera& head);
+    SunStage::Inputs sunInputs(const Camera& head) const;
+    WaterTargets::Inputs targetInputs(const FrameInput& input) const;
     void drawWaterIfSeen(const FrameInput& input);
-    SunlightPass::Inputs sunlightInputs() const;
-    void drawSunlight();
-    SunMaps sunMaps(const gl::Texture* causticsMap) const;
-    void drawCaustics();
     void drawHeights();
-    void drawRefraction();
-    void drawReflection();
     void drawScene(const FrameInput& input);
     void drawWater(const FrameInput& input);
     void drawGlow(const FrameInput& input);
     const gl::Target& selectShown(const FrameInput& input);
     void present(const FrameInput& input);
-    FrameStats::Pass& beginPass(PassId pass, const View& view, ivec2 size);
-    void check(PassId pass, const gl::Target& target);
 };
 
 Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
@@ -226,7 +194,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
         lit.shadows &&
         sunVolume(scene.water, state_->bounds, scene.sun->direction, options.sunlight).cascades.size() > 1;
     lit.caustics = sunlit && watery && options.caustics.enabled;
-    lit.dithersCutOuts = ditherCutOuts(options.frame);
+    lit.dithersCutOuts = dithersCutOuts(options.frame);
     PaintStyle main = lit;
     main.sunDisc = true;
     main.alphaToCoverage = options.frame.msaa > 1 && !lit.dithersCutOuts;
@@ -256,7 +224,7 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
     if (!allowsDetail(options)) options.detail.pixels = 0.0f;
     water = body;
     if (wantsDepthComplexity(options) && !complexity) complexity = depthComplexity(scene, water);
-    if (ditherCutOuts(options.frame)) gpuScene.wantShares();
+    if (dithersCutOuts(options.frame)) gpuScene.wantShares();
     if (options.detail.pixels > 0.0f && gpuScene.wantDetail(nullptr)) painter.setWater(water.present ? &water : nullptr);
     if (options.refraction.camera != RefractionOptions::CameraMode::flat || bedEdge <= longestBedEdge) return;
     options.refraction.camera = RefractionOptions::CameraMode::snell;
@@ -268,46 +236,46 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
 
 const Options& Renderer::options() const { return state_->options; }
 
-void Renderer::setChecking(bool checking) { state_->checking = checking; }
+void Renderer::setChecking(bool checking) { state_->drawing.checking = checking; }
 
-const std::vector<BadPixels>& Renderer::badPixels() const { return state_->bad; }
+const std::vector<BadPixels>& Renderer::badPixels() const { return state_->drawing.bad; }
 
 const FrameStats& Renderer::render(const FrameInput& input)
 {
     if (input.size.x < 1 || input.size.y < 1)
         throw Error("a picture of {}x{} pixels cannot be rendered", input.size.x, input.size.y);
     State& s = *state_;
-    s.profiler.beginFrame();
-    s.stats.passes.clear();
-    s.bad.clear();
+    s.drawing.profiler.beginFrame();
+    s.drawing.stats.passes.clear();
+    s.drawing.bad.clear();
     const Moment moment = momentOf(input, s.options, s.water, s.shaders.rebuilt());
-    if (s.kept.beginFrame(moment, s.options.plan, !s.checking)) {
-        s.stats.plan.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
-        s.profiler.endFrame();
-        return s.stats;
+    if (s.drawing.kept.beginFrame(moment, s.options.plan, !s.drawing.checking)) {
+        s.drawing.stats.plan.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
+        s.drawing.profiler.endFrame();
+        return s.drawing.stats;
     }
     s.beside = s.anaglyph = nullptr;
-    s.hasSunlight = s.hasCaustics = false;
+    s.sun.beginFrame();
     try {
         if (s.options.stereo.isOn()) s.drawBothEyes(input);
         else s.drawEye(input, input.camera);
     } catch (...) {
-        s.kept.forget();
+        s.drawing.kept.forget();
         throw;
     }
-    s.kept.endFrame();
-    s.profiler.endFrame();
-    return s.stats;
+    s.drawing.kept.endFrame();
+    s.drawing.profiler.endFrame();
+    return s.drawing.stats;
 }
 
 /// @param head what does not depend on the eye is drawn for this camera
 void Renderer::State::drawEye(const FrameInput& input, const Camera& head)
 {
     beginEye(input, head);
-    if (looksUpAnew) drawMaps();
+    if (looksUpAnew) drawMaps(head);
     drawScene(input);
     drawWaterIfSeen(input);
-    if (stats.plan[PassId::glow].wanted) drawGlow(input);
+    if (plan()[PassId::glow].wanted) drawGlow(input);
     present(input);
 }
 
@@ -316,13 +284,13 @@ void Renderer::State::drawBothEyes(const FrameInput& input)
     for (const Eye eye : bothEyes) {
         const Camera camera = eyeCamera(input.camera, options.stereo, eye);
         drawEye({camera, input.time, input.size, input.view}, input.camera);
-        gl::PassScope scope(profiler, passName(PassId::present));
+        gl::PassScope scope(drawing.profiler, passName(PassId::present));
         stereo.take(eye, *shown, presentPass.target());
     }
     shown = &stereo.linear();
     beside = &stereo.display();
     if (options.stereo.output != StereoOptions::Output::anaglyph) return;
-    gl::PassScope scope(profiler, passName(PassId::present));
+    gl::PassScope scope(drawing.profiler, passName(PassId::present));
     anaglyph = &stereo.drawAnaglyph();
 }
 
@@ -331,232 +299,90 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     sight = lookAround(boxes, scene, water, input.camera, aspect, options, light);
-    sight.waterWasHidden = hiddenWater.wasHidden() && !checking && !input.sameMoment;
+    sight.waterWasHidden = hiddenWater.wasHidden() && !drawing.checking && !input.sameMoment;
     Options allowed = options;
     if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
-    const FramePlan before = std::move(stats.plan);
-    stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
+    const FramePlan before = std::move(drawing.stats.plan);
+    drawing.stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
                            complexity ? &*complexity : nullptr, &sight);
     // What the last frame left out, a debug view of the same moment may want to show.
-    looksUpAnew = !input.sameMoment || wantsMore(stats.plan, before);
+    looksUpAnew = !input.sameMoment || wantsMore(drawing.stats.plan, before);
     glow = nullptr;
     sideOfPixels = nullptr;
-    isBelow = stats.plan.side == WaterSide::below;
-    isCrossing = stats.plan.side == WaterSide::crossing;
+    isBelow = plan().side == WaterSide::below;
+    isCrossing = plan().side == WaterSide::crossing;
     main = mainView(input.camera, aspect);
-    refractionView = tarn::refractionView(input.camera, aspect, water, options, isBelow);
-    reflectionView = tarn::reflectionView(input.camera, aspect, water, options.reflection, isBelow);
-    if (isCrossing) {
-        refractionViewBelow = tarn::refractionView(input.camera, aspect, water, options, true);
-        reflectionViewBelow = tarn::reflectionView(input.camera, aspect, water, options.reflection, true);
-    }
-    allowErrors(input.size);
-    for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(stats.plan.waterGrid[axis]);
+    // How far off geometry may be. The maps of heights hold full detail: what marches through them goes closer.
+    main.geometryError =
+        geometryErrorOf(main, glm::max(input.size, plan()[PassId::scene].size), options.detail.pixels);
+    targets.begin(targetInputs(input), plan());
+    for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(drawing.stats.plan.waterGrid[axis]);
     frameBlock.update(light);
     waves = tarn::wavesBlock(water, input.time);
     wavesBlock.update(waves);
     painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
-    beginSunlight(head);
+    sun.begin(sunInputs(head));
 }
 
-/// How far off geometry may be in each view. The maps of heights hold full detail: what marches through them goes closer.
-void Renderer::State::allowErrors(ivec2 picture)
+SunStage::Inputs Renderer::State::sunInputs(const Camera& head) const
 {
-    const auto allow = [&](View& view, ivec2 size) {
-        view.geometryError = geometryErrorOf(view, size, options.detail.pixels);
-    };
-    allow(main, glm::max(picture, stats.plan[PassId::scene].size));
-    for (View* view : {&refractionView, &refractionViewBelow}) allow(*view, ivec2(options.refraction.targetSize));
-    for (View* view : {&reflectionView, &reflectionViewBelow}) allow(*view, ivec2(options.reflection.targetSize));
+    return {plan(), options, water, bounds, head, light, waves};
 }
 
-void Renderer::State::beginSunlight(const Camera& head)
+WaterTargets::Inputs Renderer::State::targetInputs(const FrameInput& input) const
 {
-    volume = sunVolume(water, bounds, light.sunDirection, options.sunlight);
-    region = causticsRegion(water, head, options.caustics);
-    sunBlock.update(tarn::sunBlock(volume, region, options));
-    lit = PaintStyle{};
-    lit.dithersCutOuts = ditherCutOuts(options.frame);
-    lit.shadows = stats.plan[PassId::sunlight].wanted && options.sunlight.shadows;
-    lit.distantShadows = lit.shadows && volume.cascades.size() > 1;
-    lit.caustics = stats.plan[PassId::caustics].wanted;
-}
-
-SunlightPass::Inputs Renderer::State::sunlightInputs() const
-{
-    return {volume,      light.sunDirection, light.sunDirectionBelow,
-            water.level, lit.dithersCutOuts, light.hasWater > 0.5f, options.detail.pixels};
-}
-
-void Renderer::State::drawSunlight()
-{
-    gl::PassScope scope(profiler, passName(PassId::sunlight));
-    FrameStats::Pass& pass = stats.of(passName(PassId::sunlight));
-    const SunlightPass::Inputs inputs = sunlightInputs();
-    const bool holds = !sunlight.isStale(inputs, options.sunlight);
-    if (!std::exchange(hasSunlight, true) && !kept.map(PassId::sunlight, holds)) {
-        const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
-            View view = sunView(volume, layer, cascade, toSun, water, inputs.hasWater);
-            // What clears a surface by the bias must still clear it.
-            view.geometryError = std::min(geometryErrorOf(view, ivec2(options.sunlight.mapSize), inputs.detail),
-                                          0.5f * shadowBias(volume, cascade, options.sunlight));
-            viewBlock.update(tarn::viewBlock(view, ivec2(options.sunlight.mapSize)));
-            sunlight.draw(layer, cascade, view, painter, inputs, options.sunlight, options.plan.allows(RuleId::cullChunks), pass);
-        };
-        for (std::size_t cascade = 0; cascade < volume.cascades.size(); ++cascade)
-            draw(SunLayer::afloat, cascade, inputs.toSun);
-        draw(SunLayer::submerged, 0, inputs.toSunBelow);
-        sunlight.keep(inputs, options.sunlight);
-    }
-    painter.setSunMaps(sunMaps(nullptr));
-}
-
-SunMaps Renderer::State::sunMaps(const gl::Texture* causticsMap) const
-{
-    SunMaps maps{{}, &sunlight.depth(SunLayer::submerged), causticsMap, options.sunlight.taps};
-    for (std::size_t cascade = 0; cascade < volume.cascades.size(); ++cascade)
-        maps.afloat.push_back(&sunlight.depth(SunLayer::afloat, cascade));
-    return maps;
-}
-
-namespace {
-
-/// Whether waves move the place where the sun's light enters by more than a quarter of a photon's cell.
-bool movesSideways(const WaterBody& water, const vec3& toSun, float cellEdge)
-{
-    const float slant = std::sqrt(toSun.x * toSun.x + toSun.z * toSun.z) / toSun.y;
-    return totalAmplitude(water) * slant > 0.25f * cellEdge;
-}
-
-} // namespace
-
-void Renderer::State::drawCaustics()
-{
-    gl::PassScope scope(profiler, passName(PassId::caustics));
-    FrameStats::Pass& pass = stats.of(passName(PassId::caustics));
-    const float cell = 2.0f * region.rect.halfExtent.x / static_cast<float>(options.caustics.photons);
-    const gl::Texture& afloat = sunlight.depth(SunLayer::afloat);
-    const gl::Texture& submerged = sunlight.depth(SunLayer::submerged);
-    const gl::Target& caustics =
-        causticsPass.draw(options.caustics,
-                          {.submergedDepth = submerged,
-                           .afloatDepth = options.sunlight.shadows ? &afloat : nullptr,
-                           .absorption = water.absorption,
-                           .surfaceMovesSideways = movesSideways(water, light.sunDirection, cell)},
-                          pass);
-    kept.causticsWereDrawn();
-    check(PassId::caustics, caustics);
-}
-
-FrameStats::Pass& Renderer::State::beginPass(PassId pass, const View& view, ivec2 size)
-{
-    viewBlock.update(tarn::viewBlock(view, size));
-    return stats.of(passName(pass));
-}
-
-void Renderer::State::check(PassId pass, const gl::Target& target)
-{
-    if (!checking) return;
-    if (BadPixels found = checkTarget(passName(pass), target); found.any()) bad.push_back(std::move(found));
+    const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
+    return {options, water, input.camera, aspect, sun.lit(), light.deepRadiance};
 }
 
 /// What the scene and the water look up that does not depend on the eye, or little.
-void Renderer::State::drawMaps()
+void Renderer::State::drawMaps(const Camera& head)
 {
-    if (stats.plan[PassId::sunlight].wanted) drawSunlight();
-    if (stats.plan[PassId::caustics].wanted) {
-        if (!std::exchange(hasCaustics, true) && !kept.caustics({sunlightInputs(), region, light, waves})) drawCaustics();
-        painter.setSunMaps(sunMaps(&causticsPass.target().colour()));
-    }
-    if (stats.plan[PassId::heights].wanted) drawHeights();
-    kept.tell(stats.plan, RuleId::keepMaps);
-}
-
-/// What the water alone looks up.
-void Renderer::State::drawTargets(const FrameInput& input)
-{
-    const auto keeps = [&](PassId pass, bool receives) {
-        const bool showsCaustics = stats.plan.side != WaterSide::above || receives;
-        return kept.target(pass, input.camera, stats.plan.side, lit.caustics, showsCaustics);
-    };
-    if (stats.plan[PassId::refraction].wanted && !keeps(PassId::refraction, sight.refractionReceives)) drawRefraction();
-    if (stats.plan[PassId::reflection].wanted && !keeps(PassId::reflection, sight.reflectionReceives)) drawReflection();
-    kept.tell(stats.plan, RuleId::keepTargets);
+    sun.draw(sunInputs(head), drawing);
+    if (plan()[PassId::heights].wanted) drawHeights();
+    drawing.kept.tell(drawing.stats.plan, RuleId::keepMaps);
 }
 
 /// In a frame that may hide the water, its own depth decides, on the GPU, whether anything is drawn here.
 void Renderer::State::drawWaterIfSeen(const FrameInput& input)
 {
-    const bool isAsked = stats.plan.rule(RuleId::waterHidden).applies;
+    const bool isAsked = drawing.stats.plan.rule(RuleId::waterHidden).applies;
     if (isAsked) {
-        gl::PassScope scope(profiler, passName(PassId::water));
-        viewBlock.update(tarn::viewBlock(main, drawnSize));
+        gl::PassScope scope(drawing.profiler, passName(PassId::water));
+        drawing.viewBlock.update(tarn::viewBlock(main, drawnSize));
         hiddenWater.ask(frame, waterBounds(water), main.eye);
     }
     std::optional<gl::VisibilityQuery::Condition> ifSeen;
     if (isAsked) ifSeen.emplace(hiddenWater.query());
-    if (looksUpAnew) drawTargets(input);
-    if (stats.plan[PassId::water].wanted) {
+    if (looksUpAnew) targets.draw(targetInputs(input), sight, drawing);
+    if (plan()[PassId::water].wanted) {
         std::optional<gl::VisibilityQuery::Scope> counting;
-        if (!isAsked && stats.plan.side == WaterSide::above) counting.emplace(hiddenWater.query());
+        if (!isAsked && plan().side == WaterSide::above) counting.emplace(hiddenWater.query());
         drawWater(input);
     }
-    if (isAsked) kept.forgetTargets(); // the GPU alone knows whether they were drawn
+    if (isAsked) drawing.kept.forgetTargets(); // the GPU alone knows whether they were drawn
 }
 
 void Renderer::State::drawHeights()
 {
-    gl::PassScope scope(profiler, passName(PassId::heights));
-    FrameStats::Pass& pass = stats.of(passName(PassId::heights));
-    const HeightMaps::Inputs inputs{stats.plan, options, water, bounds, volume, light, lit, scene.maps};
-    heights.draw(inputs, painter, viewBlock, pass);
-}
-
-void Renderer::State::drawRefraction()
-{
-    gl::PassScope scope(profiler, passName(PassId::refraction));
-    FrameStats::Pass& pass = beginPass(PassId::refraction, refractionView, stats.plan[PassId::refraction].size);
-    const auto draw = [&](RefractionPass& side, const View& view, bool underwater) {
-        const RefractionPass::Inputs inputs{.view = view,
-                                            .underwater = underwater,
-                                            .deepRadiance = light.deepRadiance,
-                                            .cull = options.plan.allows(RuleId::cullChunks),
-                                            .style = lit};
-        check(PassId::refraction, side.draw(painter, options.refraction, inputs, pass));
-    };
-    if (stats.plan.targetsBed) draw(refraction, refractionView, isBelow);
-    if (!isCrossing) return;
-    viewBlock.update(tarn::viewBlock(refractionViewBelow, stats.plan[PassId::refraction].size));
-    draw(refractionBelow, refractionViewBelow, true);
-}
-
-void Renderer::State::drawReflection()
-{
-    gl::PassScope scope(profiler, passName(PassId::reflection));
-    FrameStats::Pass& pass = beginPass(PassId::reflection, reflectionView, stats.plan[PassId::reflection].size);
-    const auto draw = [&](ReflectionPass& side, const View& view, bool underwater) {
-        const ReflectionPass::Inputs inputs{
-            .view = view, .underwater = underwater, .cull = options.plan.allows(RuleId::cullChunks), .style = lit};
-        check(PassId::reflection, side.draw(painter, options.reflection, inputs, pass));
-    };
-    if (stats.plan.targetsMirror) draw(reflection, reflectionView, isBelow);
-    if (!isCrossing) return;
-    viewBlock.update(tarn::viewBlock(reflectionViewBelow, stats.plan[PassId::reflection].size));
-    draw(reflectionBelow, reflectionViewBelow, true);
+    gl::PassScope scope(drawing.profiler, passName(PassId::heights));
+    FrameStats::Pass& pass = drawing.stats.of(passName(PassId::heights));
+    const HeightMaps::Inputs inputs{drawing.stats.plan, options, water, bounds, sun.volume(), light, sun.lit(), scene.maps};
+    heights.draw(inputs, painter, drawing.viewBlock, pass);
 }
 
 void Renderer::State::drawScene(const FrameInput& input)
 {
-    gl::PassScope scope(profiler, passName(PassId::scene));
+    gl::PassScope scope(drawing.profiler, passName(PassId::scene));
     const bool raw = wantsRawValues(input.view);
     // A mean of raw values is none: a position between two others, a normal that is no longer of unit length.
-    drawnSize = raw ? input.size : stats.plan[PassId::scene].size;
+    drawnSize = raw ? input.size : plan()[PassId::scene].size;
     frame.ensure({.size = drawnSize,
                   .colours = {raw ? gl::Format::rgba32f : gl::Format::rgba16f},
                   .depth = gl::Format::depth24,
                   .samples = raw ? 1 : options.frame.msaa});
 
-    ScenePass::Inputs inputs{.view = main, .style = lit, .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
+    ScenePass::Inputs inputs{.view = main, .style = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
     if (isWaterView(input.view)) { // what hides the water is all that they need
         inputs.style = PaintStyle{};
         inputs.style.depthOnly = true;
@@ -567,63 +393,65 @@ void Renderer::State::drawScene(const FrameInput& input)
     inputs.style.alphaToCoverage = frame.isMultisampled() && !inputs.style.dithersCutOuts;
     inputs.style.debugNormals = input.view == DebugView::normals;
     inputs.style.sky = !raw;
-    if (stats.plan[PassId::water].wanted && stats.plan.side == WaterSide::above &&
+    if (plan()[PassId::water].wanted && plan().side == WaterSide::above &&
         input.view != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
-    FrameStats::Pass& pass = beginPass(PassId::scene, main, drawnSize);
+    FrameStats::Pass& pass = drawing.beginPass(PassId::scene, main, drawnSize);
     if (isCrossing) sideOfPixels = &waterline.draw(main, drawnSize);
     if (!inputs.style.depthOnly) inputs.style.waterline = sideOfPixels;
     scenePass.draw(painter, frame, inputs, pass);
     if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));
-    if (!raw) check(PassId::scene, frame);
+    if (!raw) drawing.check(PassId::scene, frame);
 }
 
 void Renderer::State::drawWater(const FrameInput& input)
 {
-    gl::PassScope scope(profiler, passName(PassId::water));
-    const bool refracts = stats.plan[PassId::refraction].wanted;
-    const bool reflects = stats.plan[PassId::reflection].wanted;
-    const bool marchesBed = stats.plan.raycastsBed, marchesMirror = stats.plan.raycastsMirror;
+    gl::PassScope scope(drawing.profiler, passName(PassId::water));
+    const bool refracts = plan()[PassId::refraction].wanted;
+    const bool reflects = plan()[PassId::reflection].wanted;
+    const bool marchesBed = plan().raycastsBed, marchesMirror = plan().raycastsMirror;
+    const WaterTargets::Side& side = targets.first();
     WaterPass::Inputs inputs{.bed = {},
                              .afloat = marchesMirror ? &heights.afloat() : nullptr,
-                             .refraction = refracts && stats.plan.targetsBed ? &refraction.target() : nullptr,
-                             .refractionView = &refractionView,
-                             .reflection = reflects && stats.plan.targetsMirror ? &reflection.target() : nullptr,
-                             .reflectionView = &reflectionView,
+                             .refraction = refracts && plan().targetsBed ? &side.refraction.target() : nullptr,
+                             .refractionView = &side.refractionView,
+                             .reflection = reflects && plan().targetsMirror ? &side.reflection.target() : nullptr,
+                             .reflectionView = &side.reflectionView,
                              .skyMap = gpuScene.skyMap(),
                              .ior = water.ior,
                              .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                              .underwater = isBelow,
                              .view = input.view};
-    if (marchesBed) inputs.bed.emplace(WaterPass::Bed{heights.bed(), painter.sunMaps(), lit});
+    if (marchesBed) inputs.bed.emplace(WaterPass::Bed{heights.bed(), painter.sunMaps(), sun.lit()});
     if (isCrossing) inputs.waterline = sideOfPixels;
-    FrameStats::Pass& pass = beginPass(PassId::water, main, drawnSize);
+    FrameStats::Pass& pass = drawing.beginPass(PassId::water, main, drawnSize);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
     if (isCrossing) {
         inputs.bed.reset();
         inputs.afloat = nullptr;
-        if (refracts) inputs.refraction = &refractionBelow.target();
-        inputs.refractionView = &refractionViewBelow;
-        if (reflects) inputs.reflection = &reflectionBelow.target();
-        inputs.reflectionView = &reflectionViewBelow;
+        const WaterTargets::Side& below = targets.below();
+        if (refracts) inputs.refraction = &below.refraction.target();
+        inputs.refractionView = &below.refractionView;
+        if (reflects) inputs.reflection = &below.reflection.target();
+        inputs.reflectionView = &below.reflectionView;
         inputs.underwater = true;
         waterPass.draw(frame, waterGrid, options, inputs, pass);
     }
-    if (!wantsRawValues(input.view)) check(PassId::water, frame);
+    if (!wantsRawValues(input.view)) drawing.check(PassId::water, frame);
 }
 
 void Renderer::State::drawGlow(const FrameInput& input)
 {
     if (wantsRawValues(input.view)) return;
-    gl::PassScope scope(profiler, passName(PassId::glow));
+    gl::PassScope scope(drawing.profiler, passName(PassId::glow));
     frame.resolve(); // for its depth
-    const ivec2 size = stats.plan[PassId::glow].size;
-    FrameStats::Pass& pass = beginPass(PassId::glow, main, size);
+    const ivec2 size = plan()[PassId::glow].size;
+    FrameStats::Pass& pass = drawing.beginPass(PassId::glow, main, size);
     glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(),
                            .size = size,
                            .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time)},
                           pass);
-    check(PassId::glow, *glow);
+    drawing.check(PassId::glow, *glow);
 }
 
 /// What is presented: the frame, or in a debug view the target that it shows.
@@ -631,21 +459,22 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
 {
     const ivec2 size = input.size;
     // With raycast the target, if there is one, is that of what is seen from below.
-    const bool refracts = stats.plan[PassId::refraction].wanted && stats.plan.targetsBed;
-    const bool reflects = stats.plan[PassId::reflection].wanted && stats.plan.targetsMirror;
+    const bool refracts = plan()[PassId::refraction].wanted && plan().targetsBed;
+    const bool reflects = plan()[PassId::reflection].wanted && plan().targetsMirror;
+    const WaterTargets::Side& side = targets.first();
     switch (input.view) {
     case DebugView::sceneDepth: return debugCopy.depth(frame.depth(), size, main.nearPlane, main.farPlane);
     case DebugView::refractionColour:
-        return refracts ? debugCopy.colour(refraction.target().colour(), size) : debugCopy.nothing(size);
+        return refracts ? debugCopy.colour(side.refraction.target().colour(), size) : debugCopy.nothing(size);
     case DebugView::refractionDepth:
-        return refracts ? debugCopy.depth(refraction.target().depth(), size, refractionView.nearPlane,
-                                          refractionView.farPlane)
+        return refracts ? debugCopy.depth(side.refraction.target().depth(), size, side.refractionView.nearPlane,
+                                          side.refractionView.farPlane)
                         : debugCopy.nothing(size);
     case DebugView::reflection:
-        return reflects ? debugCopy.colour(reflection.target().colour(), size)
-                                                     : debugCopy.nothing(size);
+        return reflects ? debugCopy.colour(side.reflection.target().colour(), size)
+                        : debugCopy.nothing(size);
     case DebugView::caustics:
-        return stats.plan[PassId::caustics].wanted ? debugCopy.colour(causticsPass.target().colour(), size)
+        return plan()[PassId::caustics].wanted ? debugCopy.colour(sun.caustics().colour(), size)
                                                    : debugCopy.nothing(size);
     default: return downsample.draw(frame, size);
     }
@@ -653,11 +482,11 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
 
 void Renderer::State::present(const FrameInput& input)
 {
-    gl::PassScope scope(profiler, passName(PassId::present));
+    gl::PassScope scope(drawing.profiler, passName(PassId::present));
     frame.resolve();
     shown = &selectShown(input);
     presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view);
-    check(PassId::present, presentPass.target());
+    drawing.check(PassId::present, presentPass.target());
 }
 
 void Renderer::presentToWindow(ivec2 windowSize) const
@@ -681,36 +510,25 @@ Image Renderer::readLinear() const
 
 const HeightField* Renderer::heightField() const
 {
-    return state_->stats.plan.raycastsBed && !state_->stats.plan.targetsBed ? &state_->heights.bed().field() : nullptr;
+    return state_->plan().raycastsBed && !state_->plan().targetsBed ? &state_->heights.bed().field() : nullptr;
 }
 
 std::optional<HeightMapPicture> Renderer::readMap(MapKind kind) const
 {
-    const FramePlan& plan = state_->stats.plan;
+    const FramePlan& plan = state_->drawing.stats.plan;
     if (!(kind == MapKind::bed ? plan.raycastsBed : plan.raycastsMirror)) return std::nullopt;
     return state_->heights.picture(kind);
 }
 
 std::size_t Renderer::geometryBytes() const { return state_->gpuScene.geometryBytes(); }
 
-const View& Renderer::refractionView() const { return state_->refractionView; }
+const View& Renderer::refractionView() const { return state_->targets.first().refractionView; }
 
 std::optional<CausticsMap> Renderer::readCaustics() const
 {
     const State& s = *state_;
-    if (!s.shown || !s.stats.plan[PassId::caustics].wanted) return std::nullopt;
-    const gl::Texture& texture = s.causticsPass.target().colour();
-    CausticsMap map{.region = s.region,
-                    .edge = texture.size().x,
-                    .light = {},
-                    .water = {s.water.centre, 0.5f * s.water.extent},
-                    .level = s.water.level,
-                    .toSun = s.light.sunDirectionBelow};
-    const std::vector<float> texels = texture.readBack();
-    const auto channels = static_cast<std::size_t>(gl::channelCount(texture.format()));
-    for (std::size_t i = 0; i + channels <= texels.size(); i += channels)
-        map.light.emplace_back(texels[i], texels[i + 1], texels[i + 2]);
-    return map;
+    if (!s.shown || !s.plan()[PassId::caustics].wanted) return std::nullopt;
+    return s.sun.readCaustics(s.water, s.light.sunDirectionBelow);
 }
 
 } // namespace tarn

@@ -1,0 +1,127 @@
+#include "render/sun_stage.h"
+
+#include "render/bindings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tarn {
+
+namespace {
+
+/// Whether waves move the place where the sun's light enters by more than a quarter of a photon's cell.
+bool movesSideways(const WaterBody& water, const vec3& toSun, float cellEdge)
+{
+    const float slant = std::sqrt(toSun.x * toSun.x + toSun.z * toSun.z) / toSun.y;
+    return totalAmplitude(water) * slant > 0.25f * cellEdge;
+}
+
+} // namespace
+
+SunStage::SunStage(gl::ShaderLibrary& shaders)
+    : block_(static_cast<int>(BlockIndex::sun), "sun block"), caustics_(shaders)
+{
+}
+
+void SunStage::begin(const Inputs& inputs)
+{
+    const Options& options = inputs.options;
+    volume_ = sunVolume(inputs.water, inputs.bounds, inputs.light.sunDirection, options.sunlight);
+    region_ = causticsRegion(inputs.water, inputs.head, options.caustics);
+    block_.update(sunBlock(volume_, region_, options));
+    lit_ = PaintStyle{};
+    lit_.dithersCutOuts = dithersCutOuts(options.frame);
+    lit_.shadows = inputs.plan[PassId::sunlight].wanted && options.sunlight.shadows;
+    lit_.distantShadows = lit_.shadows && volume_.cascades.size() > 1;
+    lit_.caustics = inputs.plan[PassId::caustics].wanted;
+}
+
+void SunStage::draw(const Inputs& inputs, Drawing& drawing)
+{
+    if (inputs.plan[PassId::sunlight].wanted) drawSunlight(inputs, drawing);
+    if (!inputs.plan[PassId::caustics].wanted) return;
+    const bool isThere = std::exchange(hasCaustics_, true);
+    if (!isThere && !drawing.kept.caustics({sunlightInputs(inputs), region_, inputs.light, inputs.waves}))
+        drawCaustics(inputs, drawing);
+    drawing.painter.setSunMaps(maps(&caustics_.target().colour(), inputs.options));
+}
+
+SunlightPass::Inputs SunStage::sunlightInputs(const Inputs& inputs) const
+{
+    return {volume_,
+            inputs.light.sunDirection,
+            inputs.light.sunDirectionBelow,
+            inputs.water.level,
+            lit_.dithersCutOuts,
+            inputs.light.hasWater > 0.5f,
+            inputs.options.detail.pixels};
+}
+
+void SunStage::drawSunlight(const Inputs& frame, Drawing& drawing)
+{
+    gl::PassScope scope(drawing.profiler, passName(PassId::sunlight));
+    FrameStats::Pass& pass = drawing.stats.of(passName(PassId::sunlight));
+    const SunlightOptions& options = frame.options.sunlight;
+    const SunlightPass::Inputs inputs = sunlightInputs(frame);
+    const bool holds = !sunlight_.isStale(inputs, options);
+    if (!std::exchange(hasSunlight_, true) && !drawing.kept.map(PassId::sunlight, holds)) {
+        const bool cull = frame.options.plan.allows(RuleId::cullChunks);
+        const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
+            View view = sunView(volume_, layer, cascade, toSun, frame.water, inputs.hasWater);
+            // What clears a surface by the bias must still clear it.
+            view.geometryError = std::min(geometryErrorOf(view, ivec2(options.mapSize), inputs.detail),
+                                          0.5f * shadowBias(volume_, cascade, options));
+            drawing.viewBlock.update(viewBlock(view, ivec2(options.mapSize)));
+            sunlight_.draw(layer, cascade, view, drawing.painter, inputs, options, cull, pass);
+        };
+        for (std::size_t cascade = 0; cascade < volume_.cascades.size(); ++cascade)
+            draw(SunLayer::afloat, cascade, inputs.toSun);
+        draw(SunLayer::submerged, 0, inputs.toSunBelow);
+        sunlight_.keep(inputs, options);
+    }
+    drawing.painter.setSunMaps(maps(nullptr, frame.options));
+}
+
+SunMaps SunStage::maps(const gl::Texture* caustics, const Options& options) const
+{
+    SunMaps maps{{}, &sunlight_.depth(SunLayer::submerged), caustics, options.sunlight.taps};
+    for (std::size_t cascade = 0; cascade < volume_.cascades.size(); ++cascade)
+        maps.afloat.push_back(&sunlight_.depth(SunLayer::afloat, cascade));
+    return maps;
+}
+
+void SunStage::drawCaustics(const Inputs& inputs, Drawing& drawing)
+{
+    gl::PassScope scope(drawing.profiler, passName(PassId::caustics));
+    const CausticsOptions& options = inputs.options.caustics;
+    const float cell = 2.0f * region_.rect.halfExtent.x / static_cast<float>(options.photons);
+    const gl::Texture& afloat = sunlight_.depth(SunLayer::afloat);
+    const gl::Target& drawn =
+        caustics_.draw(options,
+                       {.submergedDepth = sunlight_.depth(SunLayer::submerged),
+                        .afloatDepth = inputs.options.sunlight.shadows ? &afloat : nullptr,
+                        .absorption = inputs.water.absorption,
+                        .surfaceMovesSideways = movesSideways(inputs.water, inputs.light.sunDirection, cell)},
+                       drawing.stats.of(passName(PassId::caustics)));
+    drawing.kept.causticsWereDrawn();
+    drawing.check(PassId::caustics, drawn);
+}
+
+CausticsMap SunStage::readCaustics(const WaterBody& water, const vec3& toSunBelow) const
+{
+    const gl::Texture& texture = caustics_.target().colour();
+    CausticsMap map{.region = region_,
+                    .edge = texture.size().x,
+                    .light = {},
+                    .water = {water.centre, 0.5f * water.extent},
+                    .level = water.level,
+                    .toSun = toSunBelow};
+    const std::vector<float> texels = texture.readBack();
+    const auto channels = static_cast<std::size_t>(gl::channelCount(texture.format()));
+    for (std::size_t i = 0; i + channels <= texels.size(); i += channels)
+        map.light.emplace_back(texels[i], texels[i + 1], texels[i + 2]);
+    return map;
+}
+
+} // namespace tarn

@@ -1,0 +1,63 @@
+// What the sun gives a frame: its shadow maps and the caustics, drawn where the plan wants them and an earlier frame did
+// not leave them as they are.
+#pragma once
+
+#include "render/drawing.h"
+#include "render/passes/caustics.h"
+#include "render/passes/sunlight.h"
+#include "render/sun_views.h"
+
+#include <optional>
+
+namespace tarn {
+
+class SunStage {
+public:
+    explicit SunStage(gl::ShaderLibrary& shaders);
+
+    /// Before the first eye of a frame.
+    void beginFrame() { hasSunlight_ = hasCaustics_ = false; }
+
+    /// What an eye's frame looks up of the sun.
+    struct Inputs {
+        const FramePlan& plan;
+        const Options& options;
+        const WaterBody& water;
+        const Bounds& bounds; ///< of the scene, world
+        const Camera& head;   ///< between the eyes: the maps are the same for both
+        const blocks::FrameBlock& light;
+        const blocks::WavesBlock& waves;
+    };
+    /// Finds what the maps cover and uploads it.
+    void begin(const Inputs& inputs);
+    /// Draws the maps that begin() found wanting, and gives them to the painter.
+    void draw(const Inputs& inputs, Drawing& drawing);
+
+    /// What of the sun's light the passes look up.
+    const PaintStyle& lit() const { return lit_; }
+    const SunVolume& volume() const { return volume_; }
+
+    const gl::Target& caustics() const { return caustics_.target(); }
+    /// The caustics texture as it is. Waits for the GPU.
+    CausticsMap readCaustics(const WaterBody& water, const vec3& toSunBelow) const;
+
+private:
+    SunlightPass::Inputs sunlightInputs(const Inputs& inputs) const;
+    SunMaps maps(const gl::Texture* caustics, const Options& options) const;
+    void drawSunlight(const Inputs& inputs, Drawing& drawing);
+    void drawCaustics(const Inputs& inputs, Drawing& drawing);
+
+    gl::UniformBuffer<blocks::SunBlock> block_;
+    SunlightPass sunlight_;
+    CausticsPass caustics_;
+    SunVolume volume_;
+    CausticsRegion region_;
+    PaintStyle lit_;
+    bool hasSunlight_ = false; ///< this frame's maps of the sun are drawn, or kept
+    bool hasCaustics_ = false; ///< this frame's caustics are drawn; they are the same for both eyes
+};
+
+/// Foliage by chance of its share of a pixel is right in the mean of several pixels, and noise where one must do.
+inline bool dithersCutOuts(const FrameOptions& options) { return options.supersampling > 1; }
+
+} // namespace tarn

@@ -1,0 +1,72 @@
+#include "render/water_targets.h"
+
+namespace tarn {
+
+void WaterTargets::begin(const Inputs& inputs, const FramePlan& plan)
+{
+    place(first_, inputs, plan.side == WaterSide::below);
+    if (plan.side == WaterSide::crossing) place(below_, inputs, true);
+}
+
+void WaterTargets::place(Side& side, const Inputs& inputs, bool underwater) const
+{
+    const Options& options = inputs.options;
+    const auto placed = [&](View view, int targetSize) {
+        view.geometryError = geometryErrorOf(view, ivec2(targetSize), options.detail.pixels);
+        return view;
+    };
+    side.refractionView = placed(refractionView(inputs.camera, inputs.aspect, inputs.water, options, underwater),
+                                 options.refraction.targetSize);
+    side.reflectionView =
+        placed(reflectionView(inputs.camera, inputs.aspect, inputs.water, options.reflection, underwater),
+               options.reflection.targetSize);
+}
+
+void WaterTargets::draw(const Inputs& inputs, const Sight& sight, Drawing& drawing)
+{
+    const FramePlan& plan = drawing.plan();
+    const auto keeps = [&](PassId pass, bool receives) {
+        const bool showsCaustics = plan.side != WaterSide::above || receives;
+        return drawing.kept.target(pass, inputs.camera, plan.side, inputs.lit.caustics, showsCaustics);
+    };
+    if (plan[PassId::refraction].wanted && !keeps(PassId::refraction, sight.refractionReceives))
+        drawRefraction(inputs, drawing);
+    if (plan[PassId::reflection].wanted && !keeps(PassId::reflection, sight.reflectionReceives))
+        drawReflection(inputs, drawing);
+    drawing.kept.tell(drawing.stats.plan, RuleId::keepTargets);
+}
+
+void WaterTargets::drawRefraction(const Inputs& frame, Drawing& drawing)
+{
+    gl::PassScope scope(drawing.profiler, passName(PassId::refraction));
+    const FramePlan& plan = drawing.plan();
+    const auto draw = [&](Side& side, bool underwater) {
+        FrameStats::Pass& pass = drawing.beginPass(PassId::refraction, side.refractionView, plan[PassId::refraction].size);
+        const RefractionPass::Inputs inputs{.view = side.refractionView,
+                                            .underwater = underwater,
+                                            .deepRadiance = frame.deepRadiance,
+                                            .cull = frame.options.plan.allows(RuleId::cullChunks),
+                                            .style = frame.lit};
+        drawing.check(PassId::refraction, side.refraction.draw(drawing.painter, frame.options.refraction, inputs, pass));
+    };
+    if (plan.targetsBed) draw(first_, plan.side == WaterSide::below);
+    if (plan.side == WaterSide::crossing) draw(below_, true);
+}
+
+void WaterTargets::drawReflection(const Inputs& frame, Drawing& drawing)
+{
+    gl::PassScope scope(drawing.profiler, passName(PassId::reflection));
+    const FramePlan& plan = drawing.plan();
+    const auto draw = [&](Side& side, bool underwater) {
+        FrameStats::Pass& pass = drawing.beginPass(PassId::reflection, side.reflectionView, plan[PassId::reflection].size);
+        const ReflectionPass::Inputs inputs{.view = side.reflectionView,
+                                            .underwater = underwater,
+                                            .cull = frame.options.plan.allows(RuleId::cullChunks),
+                                            .style = frame.lit};
+        drawing.check(PassId::reflection, side.reflection.draw(drawing.painter, frame.options.reflection, inputs, pass));
+    };
+    if (plan.targetsMirror) draw(first_, plan.side == WaterSide::below);
+    if (plan.side == WaterSide::crossing) draw(below_, true);
+}
+
+} // namespace tarn

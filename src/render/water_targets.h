@@ -1,0 +1,48 @@
+// What the water's surface looks up of the scene: the refraction and the reflection target, for each of its sides that a
+// frame shows.
+#pragma once
+
+#include "render/drawing.h"
+#include "render/passes/reflection.h"
+#include "render/passes/refraction.h"
+
+namespace tarn {
+
+class WaterTargets {
+public:
+    struct Inputs {
+        const Options& options;
+        const WaterBody& water;
+        const Camera& camera; ///< of the eye that is drawn
+        float aspect = 1.0f;  ///< width / height of the picture
+        const PaintStyle& lit; ///< what of the sun's light the passes look up
+        vec3 deepRadiance{0.0f};
+    };
+
+    /// One side's targets, and the cameras that they are drawn from.
+    struct Side {
+        View refractionView, reflectionView;
+        RefractionPass refraction;
+        ReflectionPass reflection;
+    };
+
+    /// Places the cameras of the sides that the plan shows.
+    void begin(const Inputs& inputs, const FramePlan& plan);
+
+    /// Draws what the plan wants and an earlier frame did not leave as it is.
+    void draw(const Inputs& inputs, const Sight& sight, Drawing& drawing);
+
+    /// Where one side is all that is shown, its; where both are, that of the air.
+    const Side& first() const { return first_; }
+    /// Of the pixels under water, in a frame that shows both sides.
+    const Side& below() const { return below_; }
+
+private:
+    void place(Side& side, const Inputs& inputs, bool underwater) const;
+    void drawRefraction(const Inputs& inputs, Drawing& drawing);
+    void drawReflection(const Inputs& inputs, Drawing& drawing);
+
+    Side first_, below_;
+};
+
+} // namespace tarn
