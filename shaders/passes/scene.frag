@@ -45,6 +45,7 @@ uniform vec3 transmission; // of a thin leaf, as a share of its reflectance
 #endif
 #ifdef SHADOWS
 uniform float geometryError; // m by which what is drawn may be off, where the shadow maps are not
+uniform vec4 chunkOnSunPlane; // what of the sun's plane holds all of the chunk in the air: lower x and z, upper x and z
 #else
 const float geometryError = 0.0;
 #endif
@@ -121,7 +122,9 @@ vec3 sunAbove()
     vec2 slant = sunSlant(sunDirection);
     vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), slant);
     float height = positionW.y + geometryError * (1.0 + length(gradient));
-    return sunIrradiance * sunVisibilityInAir(sunPlane(positionW, waterLevel, slant), height, gradient);
+    // Samples at the edge of a triangle extrapolate its corners, into maps that the chunk is not in.
+    vec2 plane = clamp(sunPlane(positionW, waterLevel, slant), chunkOnSunPlane.xy, chunkOnSunPlane.zw);
+    return sunIrradiance * sunVisibilityInAir(plane, height, gradient);
 #else
     return sunIrradiance;
 #endif

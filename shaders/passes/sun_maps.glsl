@@ -40,19 +40,34 @@ float sunVisibility(sampler2D map, vec4 rect, vec2 plane, float y, vec2 gradient
     return sum / float(SHADOW_TAPS > 1 ? (SHADOW_TAPS - 1) * (SHADOW_TAPS - 1) : 1);
 }
 
-#ifdef DISTANT_SHADOWS
-uniform sampler2D distantDepth0, distantDepth1; // the cascades beyond the first
+// Of a point in the air: the finest map that holds it knows (cascades, Engel 2006). SHADOW_CASCADES: bit i when what is
+// drawn may lie in cascade i and in none before it.
+#ifndef SHADOW_CASCADES
+#define SHADOW_CASCADES 1
+#endif
+#if (SHADOW_CASCADES & 2) != 0
+uniform sampler2D distantDepth0;
+#endif
+#if (SHADOW_CASCADES & 4) != 0
+uniform sampler2D distantDepth1;
 #endif
 
-// Of a point in the air: the finest map that holds it knows (cascades, Engel 2006).
 float sunVisibilityInAir(vec2 plane, float y, vec2 gradient)
 {
-#ifdef DISTANT_SHADOWS
-    if (!isInside(sunRect, plane)) {
-        if (isInside(sunRectsBeyond[0], plane))
-            return sunVisibility(distantDepth0, sunRectsBeyond[0], plane, y, gradient, sunBiases.y);
-        return sunVisibility(distantDepth1, sunRectsBeyond[1], plane, y, gradient, sunBiases.z);
-    }
+#if (SHADOW_CASCADES & 1) != 0
+#if SHADOW_CASCADES > 1
+    if (isInside(sunRect, plane))
 #endif
-    return sunVisibility(afloatDepth, sunRect, plane, y, gradient, sunBiases.x);
+        return sunVisibility(afloatDepth, sunRect, plane, y, gradient, sunBiases.x);
+#endif
+#if (SHADOW_CASCADES & 2) != 0
+#if SHADOW_CASCADES > 3
+    if (isInside(sunRectsBeyond[0], plane))
+#endif
+        return sunVisibility(distantDepth0, sunRectsBeyond[0], plane, y, gradient, sunBiases.y);
+#endif
+#if (SHADOW_CASCADES & 4) != 0
+    return sunVisibility(distantDepth1, sunRectsBeyond[1], plane, y, gradient, sunBiases.z);
+#endif
+    return 1.0;
 }

@@ -14,7 +14,7 @@
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
 #include "render/passes/glow.h"
-#include "render/passes/hidden_water.h"
+#include "render/passes/occlusion.h"
 #include "render/passes/present.h"
 #include "render/passes/scene_pass.h"
 #include "render/passes/stereo.h"
@@ -23,6 +23,8 @@
 #include "render/read_back.h"
 #include "render/sun_stage.h"
 #include "render/water_targets.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +104,7 @@ struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p, Progress* progress)
         : scene(s), options(o), water(s.water), shaders(library),
           gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
-          waterPass(shaders), waterline(shaders), hiddenWater(shaders), glowPass(shaders), downsample(shaders),
+          waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
           presentPass(shaders), debugCopy(shaders), stereo(shaders)
     {
     }
@@ -133,7 +135,9 @@ struct Renderer::State {
     WaterGrid waterGrid;
     WaterPass waterPass;
     WaterlinePass waterline;
-    HiddenWaterPass hiddenWater;
+    OcclusionPass occlusionPass;
+    HiddenParts hiddenBlocks; ///< of the water
+    gl::VisibilityQuery slab; ///< whether the box that the surface moves in is seen
     GlowPass glowPass;
     DownsamplePass downsample;
     PresentPass presentPass;
@@ -166,6 +170,7 @@ struct Renderer::State {
     SunStage::Inputs sunInputs(const Camera& head) const;
     WaterTargets::Inputs targetInputs(const FrameInput& input) const;
     void drawWaterIfSeen(const FrameInput& input);
+    void tellHidden(const Occlusion& occlusion);
     void drawHeights();
     void drawScene(const FrameInput& input);
     void drawWater(const FrameInput& input);
@@ -187,12 +192,18 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     const bool watery = scene.water.present && options.water.enabled;
     if (options.detail.pixels > 0.0f && allowsDetail(options)) state_->gpuScene.wantDetail(progress);
     state_->painter.setWater(watery ? &scene.water : nullptr);
-    state_->painter.setSunMaps({{}, nullptr, nullptr, options.sunlight.taps});
     PaintStyle lit;
     lit.shadows = sunlit && options.sunlight.shadows;
-    lit.distantShadows =
-        lit.shadows &&
-        sunVolume(scene.water, state_->bounds, scene.sun->direction, options.sunlight).cascades.size() > 1;
+    SunMaps maps;
+    maps.taps = options.sunlight.taps;
+    if (lit.shadows) {
+        maps.volume = sunVolume(scene.water, state_->bounds, scene.sun->direction, options.sunlight);
+        maps.toSun = scene.sun->direction;
+        maps.level = scene.water.level;
+        lit.distantShadows = maps.volume.cascades.size() > 1;
+        lit.fewestCascades = options.plan.allows(RuleId::fewestCascades);
+    }
+    state_->painter.setSunMaps(maps);
     lit.caustics = sunlit && watery && options.caustics.enabled;
     lit.dithersCutOuts = dithersCutOuts(options.frame);
     PaintStyle main = lit;
@@ -200,7 +211,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     main.alphaToCoverage = options.frame.msaa > 1 && !lit.dithersCutOuts;
     state_->painter.prepare(main, false);
     if (watery) state_->painter.prepare(lit, true);
-    if (watery) state_->hiddenWater.prepare();
+    state_->occlusionPass.prepare();
     state_->bedEdge = coarseEdgeUnderWater(scene, scene.water);
     state_->takeOptions(options, scene.water);
 }
@@ -299,7 +310,9 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     sight = lookAround(boxes, scene, water, input.camera, aspect, options, light);
-    sight.waterWasHidden = hiddenWater.wasHidden() && !drawing.checking && !input.sameMoment;
+    hiddenBlocks.takeAnswers();
+    sight.waterWasHidden = hiddenBlocks.wereAllHidden() && OcclusionPass::canAsk(waterBounds(water), input.camera.eye) &&
+                           !drawing.checking && !input.sameMoment;
     Options allowed = options;
     if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
     const FramePlan before = std::move(drawing.stats.plan);
@@ -350,17 +363,25 @@ void Renderer::State::drawWaterIfSeen(const FrameInput& input)
     if (isAsked) {
         gl::PassScope scope(drawing.profiler, passName(PassId::water));
         drawing.viewBlock.update(tarn::viewBlock(main, drawnSize));
-        hiddenWater.ask(frame, waterBounds(water), main.eye);
+        frame.bind();
+        occlusionPass.ask(slab, waterBounds(water), main.eye);
     }
     std::optional<gl::VisibilityQuery::Condition> ifSeen;
-    if (isAsked) ifSeen.emplace(hiddenWater.query());
+    if (isAsked) ifSeen.emplace(slab);
     if (looksUpAnew) targets.draw(targetInputs(input), sight, drawing);
-    if (plan()[PassId::water].wanted) {
-        std::optional<gl::VisibilityQuery::Scope> counting;
-        if (!isAsked && plan().side == WaterSide::above) counting.emplace(hiddenWater.query());
-        drawWater(input);
-    }
+    if (plan()[PassId::water].wanted) drawWater(input);
     if (isAsked) drawing.kept.forgetTargets(); // the GPU alone knows whether they were drawn
+}
+
+/// Tells the plan what was left out by the frame's own depth, or might have been.
+void Renderer::State::tellHidden(const Occlusion& occlusion)
+{
+    RuleState& rule = drawing.stats.plan.rule(RuleId::cullHidden);
+    rule.applies = occlusion.asked > 0;
+    rule.why = rule.applies ? fmt::format("{} of {} blocks in view were hidden in the last frame: drawn only if this one's "
+                                          "depth shows some of their boxes",
+                                          occlusion.asked, occlusion.drawn)
+                            : "no block in view was hidden in the last frame";
 }
 
 void Renderer::State::drawHeights()
@@ -424,6 +445,14 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .view = input.view};
     if (marchesBed) inputs.bed.emplace(WaterPass::Bed{heights.bed(), painter.sunMaps(), sun.lit()});
     if (isCrossing) inputs.waterline = sideOfPixels;
+    const Bounds slabBounds = waterBounds(water);
+    Occlusion occlusion{occlusionPass, hiddenBlocks};
+    const bool mayAsk = options.plan.allows(RuleId::cullHidden);
+    occlusion.asks = mayAsk && !plan().rule(RuleId::waterHidden).applies; // that asks for all of them already
+    const bool counts = (mayAsk || options.plan.allows(RuleId::waterHidden)) && !wantsRawValues(input.view);
+    const bool culls = options.plan.allows(RuleId::cullChunks);
+    if (!isCrossing && (culls || counts)) // a frame that shows both sides draws the surface twice, as it is
+        inputs.sight.emplace(WaterGrid::Sight{main, plan().waterGrid, slabBounds, culls, counts ? &occlusion : nullptr});
     FrameStats::Pass& pass = drawing.beginPass(PassId::water, main, drawnSize);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
     if (isCrossing) {
@@ -437,6 +466,7 @@ void Renderer::State::drawWater(const FrameInput& input)
         inputs.underwater = true;
         waterPass.draw(frame, waterGrid, options, inputs, pass);
     }
+    if (mayAsk && counts) tellHidden(occlusion);
     if (!wantsRawValues(input.view)) drawing.check(PassId::water, frame);
 }
 

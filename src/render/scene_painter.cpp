@@ -27,10 +27,12 @@ enum Feature : unsigned {
     inAir = 1u << 17,
     inWater = 1u << 18,
     flatWater = 1u << 19,
-    distantShadows = 1u << 20,
+    cascade0 = 1u << 20,
     dithered = 1u << 21,
     forMap = 1u << 22,
     countsFaces = 1u << 23,
+    cascade1 = 1u << 24,
+    cascade2 = 1u << 25,
 };
 
 struct FeatureName {
@@ -44,8 +46,10 @@ constexpr FeatureName featureNames[] = {
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
     {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
     {waterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"},
-    {flatWater, "FLAT_WATER"},      {distantShadows, "DISTANT_SHADOWS"},
+    {flatWater, "FLAT_WATER"},
     {dithered, "DITHERED"},         {forMap, "FOR_MAP"},             {countsFaces, "COUNT_FACES"}};
+
+constexpr unsigned cascadeFeatures[mostCascades] = {cascade0, cascade1, cascade2};
 
 /// What decides whether a surface is there at all.
 constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane | dithered | countsFaces;
@@ -55,6 +59,10 @@ gl::Defines definesOf(unsigned features)
     gl::Defines defines;
     for (const auto& [feature, define] : featureNames)
         if (features & feature) defines.emplace_back(define, "1");
+    unsigned cascades = 0;
+    for (std::size_t i = 0; i < mostCascades; ++i)
+        if (features & cascadeFeatures[i]) cascades |= 1u << i;
+    if (features & shadows) defines.emplace_back("SHADOW_CASCADES", std::to_string(cascades));
     return defines;
 }
 
@@ -102,6 +110,18 @@ unsigned ScenePainter::features(const Chunk& chunk) const
     return bits;
 }
 
+unsigned ScenePainter::cascades(const Chunk& chunk, const vec4& onPlane, const PaintStyle& style) const
+{
+    const bool isInWater = media_[static_cast<std::size_t>(&chunk - scene_.chunks().all.data())] == Medium::water;
+    if (!style.shadows || isInWater) return 0;
+    unsigned held = style.distantShadows ? (1u << sunMaps_.volume.cascades.size()) - 1u : 1u;
+    if (style.fewestCascades) held &= cascadesHolding(sunMaps_.volume, onPlane);
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < mostCascades; ++i)
+        if (held & 1u << i) bits |= cascadeFeatures[i];
+    return bits;
+}
+
 gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, bool clips)
 {
     if (clips) bits |= clipPlane;
@@ -112,7 +132,6 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.dithersCutOuts && (bits & alphaTest) && (bits & (diffuseMap | alphaMap))) bits |= dithered;
     if (style.debugNormals) bits |= debugNormals;
     if (style.shadows) bits |= shadows;
-    if (style.distantShadows && !(bits & inWater)) bits |= distantShadows;
     if (style.caustics && !(bits & inAir)) bits |= caustics;
     if (style.forMap) bits |= forMap;
     if (style.countsFaces) bits |= countsFaces;
@@ -147,7 +166,7 @@ gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
 void ScenePainter::prepare(const PaintStyle& style, bool clips)
 {
     for (const Chunk& chunk : scene_.chunks().all)
-        sceneProgram(features(chunk), style, clips);
+        sceneProgram(features(chunk) | cascades(chunk, onSunPlane(chunk), style), style, clips);
     skyProgram(style);
 }
 
@@ -206,7 +225,8 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
                        .alphaToCoverage = (state & 2) != 0});
             lastState = state;
         }
-        const unsigned bits = features(*chunk);
+        const vec4 onPlane = style.shadows ? onSunPlane(*chunk) : vec4(0.0f);
+        const unsigned bits = features(*chunk) | cascades(*chunk, onPlane, style);
         gl::Program& program = sceneProgram(bits, style, view.clips());
         const bool newProgram = &program != lastProgram;
         if (newProgram) {
@@ -214,10 +234,8 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
             if (style.waterline) program.texture("waterline", *style.waterline);
             if (style.shadows) {
                 program.texture("afloatDepth", *sunMaps_.afloat.front());
-                if (style.distantShadows && !(bits & inWater)) {
-                    program.texture("distantDepth0", *sunMaps_.afloat[1]);
-                    program.texture("distantDepth1", *sunMaps_.afloat.back());
-                }
+                if (bits & cascade1) program.texture("distantDepth0", *sunMaps_.afloat[1]);
+                if (bits & cascade2) program.texture("distantDepth1", *sunMaps_.afloat[2]);
                 program.texture("submergedDepth", *sunMaps_.submerged);
             }
             if (style.caustics && !(bits & inAir)) program.texture("causticsMap", *sunMaps_.caustics);
@@ -230,7 +248,10 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         }
         if (style.dithersCutOuts && material.alphaTested)
             program.set("chunk", static_cast<int>(chunk - scene_.chunks().all.data()));
-        if (style.shadows) program.set("geometryError", chunk->error);
+        if (style.shadows) {
+            program.set("geometryError", chunk->error);
+            if (bits & (cascade0 | cascade1 | cascade2)) program.set("chunkOnSunPlane", onPlane);
+        }
         lastProgram = &program;
         lastMaterial = chunk->material;
         lastInstance = chunk->instance;

@@ -5,6 +5,7 @@
 #include "gl/shader_library.h"
 #include "render/gpu_scene.h"
 #include "render/renderer.h"
+#include "render/sun_views.h"
 
 #include <map>
 #include <memory>
@@ -21,6 +22,7 @@ struct PaintStyle {
     bool debugNormals = false;    ///< world-space normals in place of radiance
     bool shadows = false;         ///< sunlight is looked up in the shadow maps
     bool distantShadows = false;  ///< in those beyond the first, too
+    bool fewestCascades = false;  ///< in those of them alone that a chunk lies in
     bool caustics = false;        ///< and what reaches the bed in the caustics texture
     bool throughFlatWater = false; ///< what lies under the level is drawn where a flat surface shows it
     bool depthOnly = false;       ///< no colour
@@ -36,6 +38,9 @@ struct SunMaps {
     const gl::Texture* submerged = nullptr; ///< depth along the refracted sun of what lies under it
     const gl::Texture* caustics = nullptr;  ///< irradiance on the bed relative to the sun's above the water
     int taps = 2;                           ///< comparisons along an edge of the shadow filter
+    SunVolume volume{};                     ///< what the cascades cover
+    vec3 toSun{0.0f, 1.0f, 0.0f};           ///< in the air
+    float level = 0.0f;                     ///< of the water
 };
 
 class ScenePainter {
@@ -60,6 +65,11 @@ public:
 private:
     /// What a material asks of the shader. Bits of a key.
     unsigned features(const Chunk& chunk) const;
+    /// Where the chunk's shadows in the air are looked up, in the same bits.
+    /// @param onPlane of the chunk (sun_views.h)
+    unsigned cascades(const Chunk& chunk, const vec4& onPlane, const PaintStyle& style) const;
+    vec4 onSunPlane(const Chunk& chunk) const { return onPlane(chunk.boundsW, sunMaps_.toSun, sunMaps_.level); }
+    /// @param features and cascades
     gl::Program& sceneProgram(unsigned features, const PaintStyle& style, bool clips);
     gl::Program& skyProgram(const PaintStyle& style);
     void setMaterial(gl::Program& program, const Material& material, bool dithers) const;

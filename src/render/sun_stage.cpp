@@ -34,6 +34,7 @@ void SunStage::begin(const Inputs& inputs)
     lit_.dithersCutOuts = dithersCutOuts(options.frame);
     lit_.shadows = inputs.plan[PassId::sunlight].wanted && options.sunlight.shadows;
     lit_.distantShadows = lit_.shadows && volume_.cascades.size() > 1;
+    lit_.fewestCascades = options.plan.allows(RuleId::fewestCascades);
     lit_.caustics = inputs.plan[PassId::caustics].wanted;
 }
 
@@ -44,7 +45,7 @@ void SunStage::draw(const Inputs& inputs, Drawing& drawing)
     const bool isThere = std::exchange(hasCaustics_, true);
     if (!isThere && !drawing.kept.caustics({sunlightInputs(inputs), region_, inputs.light, inputs.waves}))
         drawCaustics(inputs, drawing);
-    drawing.painter.setSunMaps(maps(&caustics_.target().colour(), inputs.options));
+    drawing.painter.setSunMaps(maps(&caustics_.target().colour(), inputs));
 }
 
 SunlightPass::Inputs SunStage::sunlightInputs(const Inputs& inputs) const
@@ -80,12 +81,13 @@ void SunStage::drawSunlight(const Inputs& frame, Drawing& drawing)
         draw(SunLayer::submerged, 0, inputs.toSunBelow);
         sunlight_.keep(inputs, options);
     }
-    drawing.painter.setSunMaps(maps(nullptr, frame.options));
+    drawing.painter.setSunMaps(maps(nullptr, frame));
 }
 
-SunMaps SunStage::maps(const gl::Texture* caustics, const Options& options) const
+SunMaps SunStage::maps(const gl::Texture* caustics, const Inputs& inputs) const
 {
-    SunMaps maps{{}, &sunlight_.depth(SunLayer::submerged), caustics, options.sunlight.taps};
+    SunMaps maps{{},      &sunlight_.depth(SunLayer::submerged), caustics,          inputs.options.sunlight.taps,
+                 volume_, inputs.light.sunDirection,             inputs.water.level};
     for (std::size_t cascade = 0; cascade < volume_.cascades.size(); ++cascade)
         maps.afloat.push_back(&sunlight_.depth(SunLayer::afloat, cascade));
     return maps;

@@ -43,7 +43,7 @@ public:
 
 private:
     SunlightPass::Inputs sunlightInputs(const Inputs& inputs) const;
-    SunMaps maps(const gl::Texture* caustics, const Options& options) const;
+    SunMaps maps(const gl::Texture* caustics, const Inputs& inputs) const;
     void drawSunlight(const Inputs& inputs, Drawing& drawing);
     void drawCaustics(const Inputs& inputs, Drawing& drawing);
 

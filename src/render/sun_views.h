@@ -32,6 +32,13 @@ struct SunVolume {
 /// @param bounds of the whole scene   @param toSun in the air; what lies deep is looked up that much to its side
 SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& toSun, const SunlightOptions& options);
 
+/// Where the sun's light through a box in the air crosses the level: lower x and z, upper x and z.
+/// @param boxW world
+vec4 onPlane(const Bounds& boxW, const vec3& toSun, float level);
+
+/// Which of the cascades places of such a rectangle are looked up in, each in the first that holds it: bit i for cascade i.
+unsigned cascadesHolding(const SunVolume& volume, const vec4& onPlane);
+
 /// Which half of the scene a shadow map holds.
 enum class SunLayer { afloat, submerged };
 

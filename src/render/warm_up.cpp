@@ -9,8 +9,11 @@ namespace {
 /// Everything there is, as small as it can be: no chunk is left out, and the targets cost nothing.
 Options tiny(Options options)
 {
+    const auto wanted = options.plan.rules;
     options.plan.rules.fill(false);
     options.plan.rules[static_cast<std::size_t>(RuleId::keepMaps)] = true;
+    const auto chooser = static_cast<std::size_t>(RuleId::fewestCascades); // of programs
+    options.plan.rules[chooser] = wanted[chooser];
     constexpr int least = 16;
     options.sunlight.mapSize = options.heights.mapSize = least;
     options.refraction.targetSize = options.reflection.targetSize = least;

@@ -1,9 +1,20 @@
 #include "render/water_grid.h"
 
+#include "render/visibility.h"
+
+#include <algorithm>
 #include <cstdint>
-#include <vector>
+#include <optional>
 
 namespace tarn {
+
+namespace {
+
+constexpr int blocksPerSide = 16; // a draw call costs as much as some dozens of cells
+
+int firstCell(int block, int cells, int blocks) { return block * cells / blocks; }
+
+} // namespace
 
 void WaterGrid::ensure(int size)
 {
@@ -15,12 +26,24 @@ void WaterGrid::ensure(int size)
             vertices.emplace_back(static_cast<float>(x), static_cast<float>(z));
     std::vector<std::uint32_t> indices;
     indices.reserve(static_cast<std::size_t>(size - 1) * static_cast<std::size_t>(size - 1) * 6);
-    for (int z = 0; z + 1 < size; ++z) {
-        for (int x = 0; x + 1 < size; ++x) {
-            const auto corner = static_cast<std::uint32_t>(z * size + x);
-            const auto below = corner + static_cast<std::uint32_t>(size);
-            for (const std::uint32_t index : {corner, below, corner + 1, corner + 1, below, below + 1})
-                indices.push_back(index);
+    const auto addCell = [&](int x, int z) {
+        const auto corner = static_cast<std::uint32_t>(z * size + x);
+        const auto below = corner + static_cast<std::uint32_t>(size);
+        for (const std::uint32_t index : {corner, below, corner + 1, corner + 1, below, below + 1})
+            indices.push_back(index);
+    };
+    const int cells = size - 1, blocks = std::min(blocksPerSide, cells);
+    blocks_.clear();
+    for (int blockZ = 0; blockZ < blocks; ++blockZ) {
+        for (int blockX = 0; blockX < blocks; ++blockX) {
+            Block block;
+            block.firstIndex = static_cast<int>(indices.size());
+            block.lower = {firstCell(blockX, cells, blocks), firstCell(blockZ, cells, blocks)};
+            block.upper = {firstCell(blockX + 1, cells, blocks), firstCell(blockZ + 1, cells, blocks)};
+            for (int z = block.lower.y; z < block.upper.y; ++z)
+                for (int x = block.lower.x; x < block.upper.x; ++x) addCell(x, z);
+            block.indexCount = static_cast<int>(indices.size()) - block.firstIndex;
+            blocks_.push_back(block);
         }
     }
     vertices_ = gl::Buffer("water grid vertices");
@@ -39,6 +62,58 @@ void WaterGrid::draw(int size, FrameStats::Pass& stats)
     ensure(size);
     grid_.drawIndexed(gl::Primitive::triangles, 0, indexCount_);
     stats.triangles += static_cast<std::size_t>(indexCount_) / 3;
+    ++stats.drawCalls;
+}
+
+std::vector<WaterGrid::SeenBlock> WaterGrid::seenBlocks(int size, const Sight& sight)
+{
+    ensure(size);
+    if (sight.occlusion) sight.occlusion->parts.count(blocks_.size());
+    const auto place = [&](std::size_t axis, int line) {
+        return static_cast<float>(optics64::gridPlace(sight.lines[axis], static_cast<double>(line)));
+    };
+    constexpr float room = 1.0e-3f; // m, for rounding
+    std::vector<SeenBlock> seen;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        const Block& block = blocks_[i];
+        SeenBlock next{.index = i, .box = {}};
+        next.box.lower = vec3(place(0, block.lower.x), sight.slab.lower.y, place(1, block.lower.y)) - room;
+        next.box.upper = vec3(place(0, block.upper.x), sight.slab.upper.y, place(1, block.upper.y)) + room;
+        if (sight.cull && !mayShow(sight.view, WaterCover{}, next.box)) continue;
+        const vec3& eye = sight.view.eye;
+        next.distance = glm::distance(eye, glm::clamp(eye, next.box.lower, next.box.upper));
+        next.wasHidden = sight.occlusion && sight.occlusion->asks && sight.occlusion->parts.wasHidden(i) && OcclusionPass::canAsk(next.box, eye);
+        seen.push_back(next);
+    }
+    std::sort(seen.begin(), seen.end(), [](const SeenBlock& a, const SeenBlock& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
+    });
+    return seen;
+}
+
+bool WaterGrid::askForHidden(const std::vector<SeenBlock>& seen, const Sight& sight) const
+{
+    Occlusion& occlusion = *sight.occlusion;
+    std::size_t asked = 0;
+    for (const SeenBlock& block : seen) {
+        if (!block.wasHidden) continue;
+        occlusion.boxes.ask(occlusion.parts.asked(block.index), block.box, sight.view.eye);
+        ++asked;
+    }
+    occlusion.drawn += seen.size();
+    occlusion.asked += asked;
+    return asked > 0;
+}
+
+void WaterGrid::drawBlock(const SeenBlock& seen, Occlusion* occlusion, FrameStats::Pass& stats)
+{
+    const Block& block = blocks_[seen.index];
+    std::optional<gl::VisibilityQuery::Condition> condition;
+    std::optional<gl::VisibilityQuery::Scope> counting;
+    if (seen.wasHidden) condition.emplace(occlusion->parts.asked(seen.index));
+    if (occlusion) counting.emplace(occlusion->parts.drawn(seen.index));
+    grid_.drawIndexed(gl::Primitive::triangles, block.firstIndex, block.indexCount);
+    stats.triangles += static_cast<std::size_t>(block.indexCount) / 3;
     ++stats.drawCalls;
 }
 

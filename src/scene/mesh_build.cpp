@@ -12,7 +12,7 @@ namespace tarn
 namespace
 {
 
-constexpr std::size_t trianglesPerChunk = 4096;
+constexpr std::size_t trianglesPerChunk = 1024;
 
 /// What makes two corners the same vertex. Mirrored texture coordinates turn the tangent frame inside out, so
 /// the two hands must not share vertices.

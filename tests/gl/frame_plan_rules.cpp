@@ -2,6 +2,7 @@
 #include "gl_test.h"
 
 #include "gl/shader_library.h"
+#include "render/sun_views.h"
 #include "studio.h"
 #include "test_scenes.h"
 
@@ -174,6 +175,51 @@ TEST(FrameHiddenWater, NoFrameIsWrongWhenTheEyeJumps)
     EXPECT_TRUE(asks(pair.draw(behind, 0.6)));
     EXPECT_TRUE(asks(pair.draw(before, 0.7)));
     EXPECT_FALSE(asks(pair.draw(before, 0.8)));
+}
+
+// A wall before a part of the water: its blocks are asked for, and drawn as soon as some of their box is seen.
+TEST(FrameHiddenWater, BlocksComeBackInTheFrameThatSeesThem)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    addBox(scene, {-30, -2, 10}, {0, 8, 11}, 0);
+    Pair pair(scene, smallOptions());
+    const auto asks = [](const FrameStats& stats) { return stats.plan.rule(RuleId::cullHidden).applies; };
+    const Camera left = cameraAt({-6, 2, 14}, {-3, 0, 0}), right = cameraAt({9, 2, 14}, {0, 0, 0});
+    EXPECT_FALSE(asks(pair.draw(left, 0.0))) << "nothing is known yet";
+    EXPECT_TRUE(asks(pair.draw(left, 0.1)));
+    EXPECT_TRUE(asks(pair.draw(right, 0.2)));
+    EXPECT_TRUE(asks(pair.draw(left, 0.3)));
+    EXPECT_TRUE(asks(pair.draw(cameraAt({-6, 9, 14}, {-3, 0, 0}), 0.4))) << "over the wall";
+    pair.draw(cameraAt({-6, -0.5f, 4}, {-3, 0, 0}), 0.5); // from below
+    pair.draw(cameraAt({-6, 0.02f, 4}, {-3, 0, 0}), 0.6); // across
+    Options off = pair.options;
+    off.plan.rules[static_cast<std::size_t>(RuleId::cullHidden)] = false;
+    pair.change(off);
+    pair.draw(left, 0.7);
+    EXPECT_FALSE(asks(pair.draw(left, 0.8)));
+}
+
+// Chunks inside of each of the sun's maps, across their edges and beside them all.
+TEST(FrameLeftOut, ShadowsOfMapsThatAChunkIsNotInAreNotMissed)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    scene.sun->direction = normalize(vec3(0.6f, 0.5f, -0.3f));
+    for (int i = 0; i < 12; ++i) {
+        const float x = 12.0f + 14.0f * static_cast<float>(i);
+        addBox(scene, {x, -2, -1}, {x + 1.5f, 4, 1}, 0);           // casts
+        addBox(scene, {x - 9, -2.1f, -6}, {x + 9, 0.3f, 6}, 0);  // shows the shadow
+    }
+    Options options = smallOptions();
+    options.sunlight.cascades = 3;
+    Pair pair(scene, options);
+    EXPECT_EQ(sunVolume(scene.water, worldBounds(scene), scene.sun->direction, options.sunlight).cascades.size(), 3u);
+    for (int i = 0; i < 6; ++i) {
+        const float x = 10.0f + 28.0f * static_cast<float>(i);
+        const FrameStats& stats = pair.draw(cameraAt({x, 9, 16}, {x + 6, 0, 0}), 0.0);
+        EXPECT_TRUE(stats.plan.rule(RuleId::fewestCascades).applies) << stats.plan.rule(RuleId::fewestCascades).why;
+    }
 }
 
 // Each rule where it applies, against the full frame: pictures differ by a step of the display at most.

@@ -92,7 +92,7 @@ bool isLossless(const Case& test, const Scene& scene, Renderer& renderer)
     };
     const Image planned = frames.draw({}); // with what the case before left to be kept
     const RuleStates rules = frames.rules();
-    const Image again = frames.draw({});
+    const Image again = frames.draw({"plan.keep_frame=false"}); // with what this very view hides and keeps
     const RuleStates rulesAgain = frames.rules();
     const bool isApproximate = allowsChange(rules) || allowsChange(rulesAgain);
     const Image exact = isApproximate ? frames.draw({"plan.exact=true"}) : Image{};

@@ -121,10 +121,13 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
 void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& options, const Inputs& inputs,
                      FrameStats::Pass& stats)
 {
-    gl::apply({});
-    frame.bind();
     gl::Program& p = program(options, inputs);
-    p.use();
+    const auto use = [&] {
+        gl::apply({});
+        frame.bind();
+        p.use();
+    };
+    use();
     p.texture("skyMap", inputs.skyMap);
     if (inputs.bed) setBed(p, *inputs.bed);
     if (inputs.afloat) setAfloat(p, *inputs.afloat);
@@ -174,7 +177,8 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         if (inputs.view == DebugView::reflectionHit)
             p.set("worldFromReflectionView", glm::inverse(view.viewFromWorld));
     }
-    grid.draw(options.water.gridSize, stats);
+    if (inputs.sight) grid.draw(options.water.gridSize, *inputs.sight, stats, use);
+    else grid.draw(options.water.gridSize, stats);
 }
 
 } // namespace tarn

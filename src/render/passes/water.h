@@ -40,6 +40,7 @@ public:
         float ior = 1.33f;       ///< of the water
         NormalMapInputs normalMap{};
         bool underwater = false; ///< the surface is seen from below
+        std::optional<WaterGrid::Sight> sight{}; ///< what of the grid is seen; empty: all of it is drawn
         const gl::Texture* waterline = nullptr; ///< in a frame that shows both sides: which pixels are whose
         DebugView view = DebugView::final;
     };

@@ -1,8 +1,8 @@
-// The box that the water's surface moves in: 12 triangles from the number of the vertex alone.
+// A box that holds what may be hidden: 12 triangles from the number of the vertex alone.
 #include "shared/blocks.glsl"
 
-uniform vec3 slabLower; // world
-uniform vec3 slabUpper;
+uniform vec3 boxLower; // world
+uniform vec3 boxUpper;
 
 void main()
 {
@@ -12,5 +12,5 @@ void main()
     float side = float(face % 2);
     vec2 within = vec2(corner == 1 || corner == 2 || corner == 4 ? 1.0 : 0.0, corner == 2 || corner == 4 || corner == 5 ? 1.0 : 0.0);
     vec3 share = axis == 0 ? vec3(side, within) : axis == 1 ? vec3(within.x, side, within.y) : vec3(within, side);
-    gl_Position = clipFromWorld * vec4(mix(slabLower, slabUpper, share), 1.0);
+    gl_Position = clipFromWorld * vec4(mix(boxLower, boxUpper, share), 1.0);
 }
