@@ -59,12 +59,13 @@ public:
             queue_.pop();
             if (next.stamp != stamp_[next.place]) continue;
             const float cost = isDirty_[next.place] ? impossible : costNow(next);
-            if (cost > next.cost) { // what is around it has changed since it was ranked
+            if (cost > std::max(next.cost, ignored_)) { // what is around it has changed since it was ranked
                 rank(next.place);
                 continue;
             }
             if (cost > farWorse * sufficed) break;
             worst = std::max(worst, cost);
+            ignored_ = 0.5f * worst;
             left -= removeGathered(next.place, next.into);
             if (left <= enough && sufficed == impossible) sufficed = worst;
         }
@@ -84,10 +85,12 @@ private:
     /// One triangle at the place that is looked at: its corner there and the other two.
     struct Spoke {
         std::uint32_t corner, vertex, b, c, placeB, placeC;
+        vec3 atB, atC;
         vec3 across; ///< cross product of its edges
         float size2; ///< of that, squared
         bool vanishes = false;
         std::uint32_t standIn = none; ///< what becomes of the vertex
+        vec3 atStandIn{0.0f};
         vec3 turned{0.0f}; ///< cross product as it is then
         float turned2 = 0.0f;
 
@@ -100,6 +103,7 @@ private:
         std::uint32_t id; ///< a vertex, or after these the middle of an edge; none: a middle that has no number yet
         std::uint32_t chart;
         bool isHere; ///< a vertex of the place that was gathered
+        std::uint32_t spoke; ///< where to look first
     };
 
     const vec3& at(std::uint32_t vertex) const { return vertices_[vertex].position; }
@@ -131,19 +135,20 @@ private:
             const Spoke spoke = spokeAt(corner);
             const auto isIt = [&](const Spoke& s) { return s.vertex == spoke.vertex; };
             if (std::none_of(ring_.begin(), ring_.end(), isIt))
-                witnesses_.push_back({at(spoke.vertex), spoke.vertex, none, true});
+                witnesses_.push_back({at(spoke.vertex), spoke.vertex, none, true, static_cast<std::uint32_t>(ring_.size())});
             meet(spoke.placeB);
             meet(spoke.placeC);
             ring_.push_back(spoke);
         }
         ++glance_;
-        for (const Spoke& spoke : ring_) {
-            if (isOriginal_[spoke.corner]) witnessMiddle(spoke, spoke.b);
-            if (isOriginal_[MeshLinks::before(spoke.corner)]) witnessMiddle(spoke, spoke.c);
-        }
-        for (const Spoke& spoke : ring_)
+        hasSeam_ = witnesses_.size() > 1;
+        for (std::uint32_t i = 0; i < ring_.size(); ++i) {
+            const Spoke& spoke = ring_[i];
+            if (isOriginal_[spoke.corner]) witnessMiddle(i, spoke.placeB, spoke.atB);
+            if (isOriginal_[MeshLinks::before(spoke.corner)]) witnessMiddle(i, spoke.placeC, spoke.atC);
             for (std::uint32_t id = known_[spoke.triangle()]; id != none; id = nextKnown_[id])
-                witnesses_.push_back({placeOf(id), id, chart_[spoke.triangle()], false});
+                witnesses_.push_back({placeOf(id), id, chart_[spoke.triangle()], false, i});
+        }
     }
 
     Spoke spokeAt(std::uint32_t corner) const
@@ -155,7 +160,9 @@ private:
         spoke.c = links_.vertexAt(MeshLinks::before(corner));
         spoke.placeB = links_.placeOf(spoke.b);
         spoke.placeC = links_.placeOf(spoke.c);
-        spoke.across = glm::cross(at(spoke.b) - at(spoke.vertex), at(spoke.c) - at(spoke.vertex));
+        spoke.atB = at(spoke.b);
+        spoke.atC = at(spoke.c);
+        spoke.across = glm::cross(spoke.atB - at(spoke.vertex), spoke.atC - at(spoke.vertex));
         spoke.size2 = glm::dot(spoke.across, spoke.across);
         return spoke;
     }
@@ -166,10 +173,10 @@ private:
     }
 
     /// The middle of an edge of the place that was gathered, once.
-    void witnessMiddle(const Spoke& spoke, std::uint32_t end)
+    void witnessMiddle(std::uint32_t spoke, std::uint32_t end, const vec3& atEnd)
     {
-        if (std::exchange(seen_[links_.placeOf(end)], glance_) == glance_) return;
-        witnesses_.push_back({0.5f * (at(spoke.vertex) + at(end)), none, none, false});
+        if (std::exchange(seen_[end], glance_) == glance_) return;
+        witnesses_.push_back({0.5f * (at(ring_[spoke].vertex) + atEnd), none, none, false, spoke});
     }
 
     /// Finds the neighbour that a place is best drawn into, and queues it.
@@ -180,17 +187,45 @@ private:
         if (isLocked_[place] || links_.count(place) == 0) return;
         Candidate best{impossible, place, none, stamp_[place]};
         gather(place);
-        for (const std::uint32_t into : around_)
-            if (const float cost = costOf(into, best.cost); cost < best.cost) best.cost = cost, best.into = into;
+        sortByPromise();
+        constexpr int looks = 3; // the best is nearly always among the first
+        int looked = 0;
+        for (const std::uint32_t into : around_) {
+            const float cost = costOf(into, best.cost);
+            if (cost < best.cost) best.cost = cost, best.into = into;
+            if (best.cost <= ignored_ || (best.into != none && ++looked == looks)) break;
+        }
         if (best.into == none) return;
-        best.cost = costOf(best.into, impossible); // the same but for rounding, and the same when asked for again
+        if (hasSeam_) best.cost = costOf(best.into, impossible); // the same but for rounding, and when asked for again
         queue_.push(best);
     }
 
+    /// Neighbours first that lie near the planes of the triangles that were gathered.
+    void sortByPromise()
+    {
+        promises_.clear();
+        for (const std::uint32_t into : around_) {
+            const auto isOn = [&](const Spoke& s) { return s.placeB == into || s.placeC == into; };
+            const Spoke& toIt = *std::find_if(ring_.begin(), ring_.end(), isOn);
+            const vec3 along = (toIt.placeB == into ? toIt.atB : toIt.atC) - at(toIt.vertex);
+            float off2 = 0.0f;
+            for (const Spoke& spoke : ring_) {
+                const float height = glm::dot(spoke.across, along);
+                if (height * height > off2 * spoke.size2) off2 = height * height / spoke.size2;
+            }
+            promises_.emplace_back(off2, into);
+        }
+        std::sort(promises_.begin(), promises_.end());
+        for (std::size_t i = 0; i < around_.size(); ++i) around_[i] = promises_[i].second;
+    }
+
+    /// What a candidate costs that was ranked with the same triangles around it. Where the place is one vertex, only what it
+    /// is drawn into may have changed, and that matters to the topology alone.
     float costNow(const Candidate& candidate)
     {
         gather(candidate.place);
-        return costOf(candidate.into, impossible);
+        if (hasSeam_) return costOf(candidate.into, impossible);
+        return keepsTopology(candidate.into) && turnTo(candidate.into) ? candidate.cost : impossible;
     }
 
     /// Which vertex of the place `into` stands in for a vertex of the place that was gathered: the one across their common
@@ -219,7 +254,8 @@ private:
             if (spoke.vanishes) continue;
             const auto same = std::find_if(ring_.data(), &spoke, [&](const Spoke& s) { return !s.vanishes && s.vertex == spoke.vertex; });
             spoke.standIn = same != &spoke ? same->standIn : standIn(spoke.vertex, into);
-            spoke.turned = glm::cross(at(spoke.b) - at(spoke.standIn), at(spoke.c) - at(spoke.standIn));
+            spoke.atStandIn = at(spoke.standIn);
+            spoke.turned = glm::cross(spoke.atB - spoke.atStandIn, spoke.atC - spoke.atStandIn);
             spoke.turned2 = glm::dot(spoke.turned, spoke.turned);
             constexpr float most = 0.25f; // cosine of how far a triangle may turn
             const float along = glm::dot(spoke.across, spoke.turned), size2 = spoke.size2 * spoke.turned2;
@@ -238,10 +274,9 @@ private:
     /// @param most what is too much anyway
     float missed(const Witness& witness, const Spoke& spoke, float most) const
     {
-        const vec3& a = at(spoke.standIn);
+        const vec3 &a = spoke.atStandIn, &b = spoke.atB, &c = spoke.atC;
         const float height = glm::dot(witness.place - a, spoke.turned); // over its plane, as it were
         if (0.999f * height * height >= most * most * spoke.turned2) return impossible;
-        const vec3 &b = at(spoke.b), &c = at(spoke.c);
         const vec3 w = nearestWeights(witness.place, a, b, c);
         const vec3 away = witness.place - (w.x * a + w.y * b + w.z * c);
         const float distance2 = glm::dot(away, away);
@@ -257,18 +292,29 @@ private:
     float costOf(std::uint32_t into, float most)
     {
         if (!keepsTopology(into) || !turnTo(into)) return impossible;
-        float cost = 0.0f;
-        for (const Witness& witness : witnesses_) {
-            float least = most;
-            for (const Spoke& spoke : ring_) {
-                if (!mayShow(witness, spoke)) continue;
-                least = std::min(least, missed(witness, spoke, least));
-                if (least <= cost) break;
+        float cost = ignored_;
+        for (Witness& witness : witnesses_) {
+            const float least = leastMissed(witness, cost, most);
+            if (least >= most) { // also where nothing of its chart is left
+                std::swap(witness, witnesses_.front()); // what rules out one neighbour may well rule out the next
+                return impossible;
             }
-            if (least >= most) return impossible; // also where nothing of its chart is left
             cost = std::max(cost, least);
         }
         return cost;
+    }
+
+    /// @param enough how near will do
+    float leastMissed(const Witness& witness, float enough, float most) const
+    {
+        const Spoke& first = ring_[witness.spoke];
+        float least = most;
+        if (mayShow(witness, first)) least = std::min(least, missed(witness, first, least));
+        for (std::uint32_t i = 0; i < ring_.size() && least > enough; ++i) {
+            if (i == witness.spoke || !mayShow(witness, ring_[i])) continue;
+            if (const float here = missed(witness, ring_[i], least); here < least) least = here;
+        }
+        return least;
     }
 
     /// Two places may become one only when all they have in common are the triangles between them (the link condition,
@@ -351,7 +397,10 @@ private:
     std::uint32_t turn_ = 0, glance_ = 0;
     std::vector<Spoke> ring_; ///< of the place that was gathered
     std::vector<std::uint32_t> around_;
+    std::vector<std::pair<float, std::uint32_t>> promises_;
     std::vector<Witness> witnesses_;
+    bool hasSeam_ = false; ///< there are several vertices
+    float ignored_ = 0.0f; ///< what is missed by less counts as this, m
     std::priority_queue<Candidate> queue_;
 };
 
