@@ -105,8 +105,12 @@ TEST(MeshDetail, NoNodeIsFartherOffThanItSays)
             const auto indices = indicesOf(mesh, detail, full);
             for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
                 const vec3 a = positions[indices[k]], b = positions[indices[k + 1]], c = positions[indices[k + 2]];
-                for (const vec3& p : {a, b, c, (a + b + c) / 3.0f, 0.5f * (a + b), 0.5f * (b + c)})
-                    farthest = std::max(farthest, surface.nearest(p).distance);
+                constexpr int steps = 6;
+                for (int u = 0; u <= steps; ++u)
+                    for (int v = 0; u + v <= steps; ++v) {
+                        const vec3 w = vec3(u, v, steps - u - v) / static_cast<float>(steps);
+                        farthest = std::max(farthest, surface.nearest(w.x * a + w.y * b + w.z * c).distance);
+                    }
             }
         }
         EXPECT_LE(farthest, node.error + 1e-5f) << "node " << i << " of " << node.indexCount / 3 << " triangles";
