@@ -1,14 +1,13 @@
 #include "scene/mesh_collapse.h"
 
 #include "scene/mesh_links.h"
-#include "scene/nearest_surface.h"
+#include "scene/nearest_point.h"
 #include "scene/vertex_shift.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -17,23 +16,6 @@ namespace tarn {
 namespace {
 
 constexpr float impossible = std::numeric_limits<float>::infinity();
-
-/// For each triangle a number that all that share vertices with it have in common: what a texture is laid on in one piece.
-std::vector<std::uint32_t> chartsOf(std::span<const std::uint32_t> indices, std::size_t vertices)
-{
-    std::vector<std::uint32_t> parent(vertices);
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t v) {
-        while (parent[v] != v) v = parent[v] = parent[parent[v]];
-        return v;
-    };
-    for (std::size_t i = 0; i < indices.size(); i += 3)
-        for (const std::size_t k : {1u, 2u}) parent[root(indices[i + k])] = root(indices[i]);
-    std::vector<std::uint32_t> charts;
-    charts.reserve(indices.size() / 3);
-    for (std::size_t i = 0; i < indices.size(); i += 3) charts.push_back(root(indices[i]));
-    return charts;
-}
 
 class Collapser {
 public:

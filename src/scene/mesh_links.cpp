@@ -1,5 +1,6 @@
 #include "scene/mesh_links.h"
 
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -60,6 +61,22 @@ void MeshLinks::append(std::uint32_t place, std::uint32_t into)
     while (*link != none) link = &next_[*link];
     *link = std::exchange(first_[place], none);
     count_[into] += std::exchange(count_[place], 0u);
+}
+
+std::vector<std::uint32_t> chartsOf(std::span<const std::uint32_t> indices, std::size_t vertices)
+{
+    std::vector<std::uint32_t> parent(vertices);
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto root = [&](std::uint32_t v) {
+        while (parent[v] != v) v = parent[v] = parent[parent[v]];
+        return v;
+    };
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+        for (const std::size_t k : {1u, 2u}) parent[root(indices[i + k])] = root(indices[i]);
+    std::vector<std::uint32_t> charts;
+    charts.reserve(indices.size() / 3);
+    for (std::size_t i = 0; i < indices.size(); i += 3) charts.push_back(root(indices[i]));
+    return charts;
 }
 
 } // namespace tarn

@@ -48,4 +48,7 @@ private:
     std::vector<std::uint32_t> next_;    ///< of each corner
 };
 
+/// For each triangle a number that all that share vertices with it have in common: what a texture is laid on in one piece.
+std::vector<std::uint32_t> chartsOf(std::span<const std::uint32_t> indices, std::size_t vertices);
+
 } // namespace tarn

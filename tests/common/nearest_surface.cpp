@@ -1,11 +1,11 @@
-#include "scene/nearest_surface.h"
+#include "nearest_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
-namespace tarn {
+namespace tarn::test {
 
 namespace {
 
@@ -84,4 +84,4 @@ NearestSurface::Point NearestSurface::nearest(const vec3& to) const
     return best;
 }
 
-} // namespace tarn
+} // namespace tarn::test
