@@ -15,6 +15,7 @@ namespace tarn {
 
 namespace {
 
+constexpr float between = 1.5f; // what lies between the points that are looked at is farther off, by a third as measured
 constexpr float impossible = std::numeric_limits<float>::infinity();
 
 class Collapser {
@@ -258,12 +259,13 @@ private:
     {
         const vec3 &a = spoke.atStandIn, &b = spoke.atB, &c = spoke.atC;
         const float height = glm::dot(witness.place - a, spoke.turned); // over its plane, as it were
-        if (0.999f * height * height >= most * most * spoke.turned2) return impossible;
+        const float reach2 = most * most / (between * between);
+        if (0.999f * height * height >= reach2 * spoke.turned2) return impossible;
         const vec3 w = nearestWeights(witness.place, a, b, c);
         const vec3 away = witness.place - (w.x * a + w.y * b + w.z * c);
         const float distance2 = glm::dot(away, away);
-        if (distance2 >= most * most) return impossible;
-        const float distance = std::sqrt(distance2);
+        if (distance2 >= reach2) return impossible;
+        const float distance = between * std::sqrt(distance2);
         if (isMiddle(witness.id)) return distance;
         const std::array<const Vertex*, 3> shown{&vertices_[spoke.standIn], &vertices_[spoke.b], &vertices_[spoke.c]};
         return std::max(distance, seemingShift(vertices_[witness.id], shown, w, metresPerUv_[witness.id]));
@@ -277,7 +279,7 @@ private:
         float cost = ignored_;
         for (Witness& witness : witnesses_) {
             const float least = leastMissed(witness, cost, most);
-            if (least >= most) { // also where nothing of its chart is left
+            if (least >= most) { // also where nothing is left
                 std::swap(witness, witnesses_.front()); // what rules out one neighbour may well rule out the next
                 return impossible;
             }
@@ -289,13 +291,17 @@ private:
     /// @param enough how near will do
     float leastMissed(const Witness& witness, float enough, float most) const
     {
-        const Spoke& first = ring_[witness.spoke];
         float least = most;
-        if (mayShow(witness, first)) least = std::min(least, missed(witness, first, least));
+        bool isShown = mayShow(witness, ring_[witness.spoke]);
+        if (isShown) least = std::min(least, missed(witness, ring_[witness.spoke], least));
         for (std::uint32_t i = 0; i < ring_.size() && least > enough; ++i) {
             if (i == witness.spoke || !mayShow(witness, ring_[i])) continue;
-            if (const float here = missed(witness, ring_[i], least); here < least) least = here;
+            isShown = true;
+            least = std::min(least, missed(witness, ring_[i], least));
         }
+        if (isShown) return least;
+        for (const Spoke& spoke : ring_) // nothing of its chart is left: what else is there stands for it
+            if (!spoke.vanishes) least = std::min(least, missed(witness, spoke, least));
         return least;
     }
 
@@ -324,15 +330,8 @@ private:
     std::size_t removeGathered(std::uint32_t place, std::uint32_t into)
     {
         for (const Spoke& spoke : ring_) known_[spoke.triangle()] = none;
-        for (const Witness& witness : witnesses_) {
-            const Spoke* nearest = nullptr;
-            float least = impossible;
-            for (const Spoke& spoke : ring_) {
-                if (!mayShow(witness, spoke)) continue;
-                if (const float cost = missed(witness, spoke, least); cost < least) least = cost, nearest = &spoke;
-            }
-            remember(witness.id != none ? witness.id : numbered(witness.place), nearest->triangle());
-        }
+        for (const Witness& witness : witnesses_)
+            remember(witness.id != none ? witness.id : numbered(witness.place), showing(witness).triangle());
         std::size_t vanished = 0;
         for (const Spoke& spoke : ring_)
             if (spoke.vanishes) links_.drop(spoke.triangle()), ++vanished;
@@ -342,6 +341,19 @@ private:
         for (const std::uint32_t p : around_) isDirty_[p] = true; // ranked again when their turn comes
         rank(into);
         return vanished;
+    }
+
+    /// Where a witness is missed least.
+    const Spoke& showing(const Witness& witness) const
+    {
+        const bool isShown = std::any_of(ring_.begin(), ring_.end(), [&](const Spoke& s) { return mayShow(witness, s); });
+        const Spoke* nearest = nullptr;
+        float least = impossible;
+        for (const Spoke& spoke : ring_) {
+            if (isShown ? !mayShow(witness, spoke) : spoke.vanishes) continue;
+            if (const float here = missed(witness, spoke, least); here < least) least = here, nearest = &spoke;
+        }
+        return *nearest;
     }
 
     std::uint32_t numbered(const vec3& middle)

@@ -11,7 +11,7 @@ namespace tarn {
 
 struct Collapsed {
     std::vector<std::uint32_t> indices; ///< of the same vertices; more than wanted where none can go without folding the surface
-    float worst = 0.0f;                 ///< what is missed most, m: no vertex or middle of an edge lies farther off
+    float worst = 0.0f;                 ///< what is missed most, m: no part of the surface lies farther off
 };
 
 /// Half-edge collapses. What has gone is remembered with the triangle that lies there now (Klein, Liebich & Straßer 1996),

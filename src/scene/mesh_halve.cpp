@@ -65,8 +65,7 @@ Simplified halved(const Mesh& mesh, std::span<const std::uint32_t> indices, bool
     const std::size_t triangles = piece.indices.size() / 3;
     const Collapsed collapsed =
         collapse(piece.vertices, piece.indices, piece.metresPerUv, 2 * triangles / 3, triangles / 2, locksBorder);
-    constexpr float between = 1.5f; // what lies between the points that were looked at is farther off, by a third as measured
-    result.error = between * collapsed.worst;
+    result.error = collapsed.worst;
     result.indices.resize(collapsed.indices.size());
     meshopt_optimizeVertexCache(result.indices.data(), collapsed.indices.data(), result.indices.size(), piece.vertices.size());
     for (std::uint32_t& index : result.indices) index = piece.vertexOf[index];
