@@ -171,12 +171,11 @@ private:
         Candidate best{impossible, place, none, stamp_[place]};
         gather(place);
         sortByPromise();
-        constexpr int looks = 3; // the best is nearly always among the first
-        int looked = 0;
+        int looks = 3; // the best is nearly always among the first
         for (const std::uint32_t into : around_) {
             const float cost = costOf(into, best.cost);
             if (cost < best.cost) best.cost = cost, best.into = into;
-            if (best.cost <= ignored_ || (best.into != none && ++looked == looks)) break;
+            if (best.cost <= ignored_ || (best.into != none && --looks == 0)) break;
         }
         if (best.into == none) return;
         if (hasSeam_) best.cost = costOf(best.into, impossible); // the same but for rounding, and when asked for again
@@ -333,9 +332,11 @@ private:
         for (const Witness& witness : witnesses_)
             remember(witness.id != none ? witness.id : numbered(witness.place), showing(witness).triangle());
         std::size_t vanished = 0;
-        for (const Spoke& spoke : ring_)
+        for (const Spoke& spoke : ring_) {
+            isOriginal_[spoke.corner] = isOriginal_[MeshLinks::before(spoke.corner)] = 0;
             if (spoke.vanishes) links_.drop(spoke.triangle()), ++vanished;
-            else turn(spoke);
+            else links_.setVertex(spoke.corner, spoke.standIn);
+        }
         links_.append(place, into);
         ++stamp_[place];
         for (const std::uint32_t p : around_) isDirty_[p] = true; // ranked again when their turn comes
@@ -361,12 +362,6 @@ private:
         middles_.push_back(middle);
         nextKnown_.push_back(none);
         return static_cast<std::uint32_t>(nextKnown_.size() - 1);
-    }
-
-    void turn(const Spoke& spoke)
-    {
-        links_.setVertex(spoke.corner, spoke.standIn);
-        isOriginal_[spoke.corner] = isOriginal_[MeshLinks::before(spoke.corner)] = 0;
     }
 
     Collapsed result(float worst) const
