@@ -25,7 +25,7 @@ public:
         : vertices_(vertices), metresPerUv_(metresPerUv), links_(vertices, indices, locksBorder),
           chart_(chartsOf(indices, vertices.size())), isOriginal_(indices.size(), 1), known_(indices.size() / 3, none),
           nextKnown_(vertices.size(), none),
-          stamp_(links_.places()), isDirty_(links_.places()), isLocked_(links_.places()), seen_(links_.places()),
+          stamp_(links_.places()), isDirty_(links_.places()), isLocked_(links_.places()), isQueued_(links_.places()), seen_(links_.places()),
           isAround_(links_.places())
     {
         if (locksBorder) lockBorders();
@@ -41,6 +41,7 @@ public:
             const Candidate next = queue_.top();
             queue_.pop();
             if (next.stamp != stamp_[next.place]) continue;
+            isQueued_[next.place] = false;
             const float cost = isDirty_[next.place] ? impossible : costNow(next);
             if (cost > std::max(next.cost, ignored_)) { // what is around it has changed since it was ranked
                 rank(next.place);
@@ -180,6 +181,7 @@ private:
         if (best.into == none) return;
         if (hasSeam_) best.cost = costOf(best.into, impossible); // the same but for rounding, and when asked for again
         queue_.push(best);
+        isQueued_[place] = true;
     }
 
     /// Neighbours first that lie near the planes of the triangles that were gathered.
@@ -340,7 +342,7 @@ private:
         links_.append(place, into);
         ++stamp_[place];
         for (const std::uint32_t p : around_) isDirty_[p] = true; // ranked again when their turn comes
-        rank(into);
+        if (!isQueued_[into]) rank(into);
         return vanished;
     }
 
@@ -381,7 +383,7 @@ private:
     std::vector<char> isOriginal_;     ///< the edge from a corner to the next
     std::vector<std::uint32_t> known_, nextKnown_; ///< what of the original lies at a triangle: chains of witnesses
     std::vector<std::uint32_t> stamp_; ///< of a place's latest candidate
-    std::vector<char> isDirty_, isLocked_;
+    std::vector<char> isDirty_, isLocked_, isQueued_;
     std::vector<std::uint32_t> seen_, isAround_; ///< in which glance, in which turn
     std::uint32_t turn_ = 0, glance_ = 0;
     std::vector<Spoke> ring_; ///< of the place that was gathered
