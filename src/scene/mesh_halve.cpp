@@ -1,17 +1,11 @@
 // One step of mesh_detail.h: a piece of a mesh with half the triangles, and how far off that is.
 #include "scene/mesh_collapse.h"
 #include "scene/mesh_detail.h"
-#include "scene/nearest_surface.h"
 
 #include <meshoptimizer.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
-#include <tuple>
 #include <unordered_map>
-#include <utility>
 
 namespace tarn {
 
@@ -62,80 +56,6 @@ Piece pieceOf(const Mesh& mesh, std::span<const std::uint32_t> indices)
     return piece;
 }
 
-/// For each vertex a number that all vertices joined to it by triangles, or in one place with it, share: a tree, a stone.
-/// What was joined is compared with what came of it, not with a neighbour that happens to lie there.
-std::vector<std::uint32_t> bodies(const Piece& piece)
-{
-    std::vector<std::uint32_t> parent(piece.positions.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t v) {
-        while (parent[v] != v) v = parent[v] = parent[parent[v]];
-        return v;
-    };
-    for (std::size_t i = 0; i < piece.indices.size(); i += 3)
-        for (const std::size_t k : {1u, 2u}) parent[root(piece.indices[i + k])] = root(piece.indices[i]);
-    std::vector<std::uint32_t> byPlace(parent.size());
-    std::iota(byPlace.begin(), byPlace.end(), 0u);
-    const auto key = [&](std::uint32_t v) { return std::tuple(piece.positions[v].x, piece.positions[v].y, piece.positions[v].z); };
-    std::sort(byPlace.begin(), byPlace.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    for (std::size_t i = 1; i < byPlace.size(); ++i)
-        if (key(byPlace[i]) == key(byPlace[i - 1])) parent[root(byPlace[i])] = root(byPlace[i - 1]);
-    for (std::uint32_t v = 0; v < parent.size(); ++v) parent[v] = root(v);
-    return parent;
-}
-
-/// How far the vertices of a piece and the middles of its edges lie from what came of it.
-class DistanceMeter {
-public:
-    DistanceMeter(const Piece& piece, std::span<const std::uint32_t> coarse)
-        : piece_(piece), bodyOf_(bodies(piece)), byBody_(coarse.begin(), coarse.end())
-    {
-        for (std::uint32_t v = 0; v < piece.positions.size(); ++v) extents_[bodyOf_[v]].add(piece.positions[v]);
-        sortByBody();
-        for (std::size_t begin = 0, end = 0; begin < byBody_.size(); begin = end) {
-            const std::uint32_t body = bodyOf_[byBody_[begin]];
-            while (end < byBody_.size() && bodyOf_[byBody_[end]] == body) end += 3;
-            const std::span<const std::uint32_t> indices(byBody_.data() + begin, end - begin);
-            surfaces_.emplace(body, NearestSurface(piece.positions, indices));
-        }
-    }
-
-    float largest() const
-    {
-        if (byBody_.empty()) return std::numeric_limits<float>::infinity();
-        float most = 0.0f;
-        for (std::uint32_t v = 0; v < piece_.positions.size(); ++v) most = std::max(most, at(piece_.positions[v], bodyOf_[v]));
-        for (std::size_t i = 0; i < piece_.indices.size(); ++i) {
-            const std::uint32_t a = piece_.indices[i], b = piece_.indices[i % 3 == 2 ? i - 2 : i + 1];
-            most = std::max(most, at(0.5f * (piece_.positions[a] + piece_.positions[b]), bodyOf_[a]));
-        }
-        return most;
-    }
-
-private:
-    void sortByBody()
-    {
-        std::vector<std::array<std::uint32_t, 3>> triangles(byBody_.size() / 3);
-        for (std::size_t i = 0; i < byBody_.size(); ++i) triangles[i / 3][i % 3] = byBody_[i];
-        std::stable_sort(triangles.begin(), triangles.end(),
-                         [&](const auto& a, const auto& b) { return bodyOf_[a[0]] < bodyOf_[b[0]]; });
-        for (std::size_t i = 0; i < byBody_.size(); ++i) byBody_[i] = triangles[i / 3][i % 3];
-    }
-
-    float at(const vec3& place, std::uint32_t body) const
-    {
-        const auto found = surfaces_.find(body);
-        if (found == surfaces_.end()) return glm::length(extents_.at(body).extent()); // it is gone altogether
-        return found->second.nearest(place).distance;
-    }
-
-    const Piece& piece_;
-    std::vector<std::uint32_t> bodyOf_; ///< by vertex
-    std::vector<std::uint32_t> byBody_; ///< the simplified triangles, those of a body together
-    std::unordered_map<std::uint32_t, Bounds> extents_; ///< of bodies
-    std::unordered_map<std::uint32_t, NearestSurface> surfaces_; ///< by body
-};
-
 } // namespace
 
 Simplified halved(const Mesh& mesh, std::span<const std::uint32_t> indices, bool locksBorder)
@@ -143,10 +63,11 @@ Simplified halved(const Mesh& mesh, std::span<const std::uint32_t> indices, bool
     const Piece piece = pieceOf(mesh, indices);
     Simplified result;
     const std::size_t triangles = piece.indices.size() / 3;
-    Collapsed collapsed = collapse(piece.vertices, piece.indices, piece.metresPerUv, 2 * triangles / 3, triangles / 2, locksBorder);
-    result.indices = std::move(collapsed.indices);
-    result.error = std::max(collapsed.worst, DistanceMeter(piece, result.indices).largest());
-    meshopt_optimizeVertexCache(result.indices.data(), result.indices.data(), result.indices.size(), piece.vertices.size());
+    const Collapsed collapsed =
+        collapse(piece.vertices, piece.indices, piece.metresPerUv, 2 * triangles / 3, triangles / 2, locksBorder);
+    result.error = collapsed.worst;
+    result.indices.resize(collapsed.indices.size());
+    meshopt_optimizeVertexCache(result.indices.data(), collapsed.indices.data(), result.indices.size(), piece.vertices.size());
     for (std::uint32_t& index : result.indices) index = piece.vertexOf[index];
     return result;
 }

@@ -1,8 +1,9 @@
 // Levels of detail are what they claim to be: no farther off than they say, without cracks, all of the mesh.
+#include "nearest_surface.h"
 #include "test_scenes.h"
 
+#include "scene/mesh_collapse.h"
 #include "scene/mesh_detail.h"
-#include "scene/nearest_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -87,6 +88,53 @@ TEST(NearestSurface, IsAsNearAsTheNearestOfManyPoints)
     }
 }
 
+TEST(Collapse, TellsHowFarVerticesAndMiddlesOfEdgesAreOff)
+{
+    const Mesh mesh = ground(hilly, 1);
+    const std::vector<vec3> positions = positionsOf(mesh);
+    const std::vector<float> noTexture(mesh.vertices.size(), 0.0f);
+    for (const std::size_t share : {2u, 8u}) {
+        const std::size_t target = mesh.indices.size() / 3 / share;
+        const Collapsed coarse = collapse(mesh.vertices, mesh.indices, noTexture, target, target, true);
+        EXPECT_LE(coarse.indices.size() / 3, target);
+        const NearestSurface surface(positions, coarse.indices);
+        float farthest = 0.0f;
+        for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+            const vec3 a = positions[mesh.indices[i]], b = positions[mesh.indices[i % 3 == 2 ? i - 2 : i + 1]];
+            for (const vec3& p : {a, 0.5f * (a + b)}) farthest = std::max(farthest, surface.nearest(p).distance);
+        }
+        EXPECT_LE(farthest, coarse.worst + 1e-5f);
+        EXPECT_GT(farthest, 0.3f * coarse.worst) << "a bound that is far from reached costs triangles";
+    }
+}
+
+TEST(Collapse, DoesNotTearWhatIsCutOutOfACard)
+{
+    // A flat square of quads without one in its corner, as where chunks cut a card.
+    Mesh mesh;
+    for (int j = 0; j <= 4; ++j)
+        for (int i = 0; i <= 4; ++i) {
+            const vec2 uv = 0.25f * vec2(ivec2(i, j));
+            mesh.vertices.push_back({vec3(4.0f * uv, 0.0f), {0, 0, 1}, {1, 0, 0, 1}, uv});
+        }
+    for (std::uint32_t j = 0; j < 4; ++j)
+        for (std::uint32_t i = 0; i < 4; ++i)
+            if (i < 3 || j < 3)
+                for (const std::uint32_t v : {j * 5 + i, j * 5 + i + 1, j * 5 + i + 6, j * 5 + i, j * 5 + i + 6, j * 5 + i + 5})
+                    mesh.indices.push_back(v);
+    const std::vector<float> scales(mesh.vertices.size(), 4.0f);
+    const Collapsed coarse = collapse(mesh.vertices, mesh.indices, scales, 8, 8, false);
+    float area = 0.0f;
+    for (std::size_t i = 0; i < coarse.indices.size(); i += 3) {
+        const vec3 a = mesh.vertices[coarse.indices[i]].position;
+        area += 0.5f * glm::length(glm::cross(mesh.vertices[coarse.indices[i + 1]].position - a,
+                                              mesh.vertices[coarse.indices[i + 2]].position - a));
+    }
+    EXPECT_LE(coarse.indices.size() / 3, 8u);
+    EXPECT_LT(coarse.worst, 1e-4f);
+    EXPECT_NEAR(area, 15.0f, 1e-3f);
+}
+
 TEST(MeshDetail, NoNodeIsFartherOffThanItSays)
 {
     const Mesh mesh = ground(hilly, 4);
@@ -105,8 +153,12 @@ TEST(MeshDetail, NoNodeIsFartherOffThanItSays)
             const auto indices = indicesOf(mesh, detail, full);
             for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
                 const vec3 a = positions[indices[k]], b = positions[indices[k + 1]], c = positions[indices[k + 2]];
-                for (const vec3& p : {a, b, c, (a + b + c) / 3.0f, 0.5f * (a + b), 0.5f * (b + c)})
-                    farthest = std::max(farthest, surface.nearest(p).distance);
+                constexpr int steps = 6;
+                for (int u = 0; u <= steps; ++u)
+                    for (int v = 0; u + v <= steps; ++v) {
+                        const vec3 w = vec3(u, v, steps - u - v) / static_cast<float>(steps);
+                        farthest = std::max(farthest, surface.nearest(w.x * a + w.y * b + w.z * c).distance);
+                    }
             }
         }
         EXPECT_LE(farthest, node.error + 1e-5f) << "node " << i << " of " << node.indexCount / 3 << " triangles";

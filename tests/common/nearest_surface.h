@@ -1,16 +1,13 @@
-// The nearest point on a set of triangles: how far a simplified surface lies from the one it stands for.
+// The nearest point on a set of triangles, to check how far a simplified surface lies from the one it stands for.
 #pragma once
 
-#include "base/math.h"
+#include "scene/nearest_point.h"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace tarn {
-
-/// Weights of a triangle's corners at its point nearest to p; they add up to 1.
-vec3 nearestWeights(const vec3& p, const vec3& a, const vec3& b, const vec3& c);
+namespace tarn::test {
 
 /// Boxes about triangles, and boxes about those. Keeps references to its triangles.
 class NearestSurface {
@@ -40,4 +37,4 @@ private:
     std::vector<Node> nodes_;
 };
 
-} // namespace tarn
+} // namespace tarn::test
