@@ -85,7 +85,7 @@ TEST(FrameFlight, NorDoLevelsOfDetail)
 {
     const Scene scene = loadScene(projectRoot() / "assets/lake/lake.toml");
     Options options = smallOptions();
-    options.detail.pixels = 0.5f;
+    options.detail.pixels = 0.1f;
     fly(scene, options);
 }
 
