@@ -4,9 +4,13 @@ namespace tarn {
 
 namespace {
 
-// In the order of RuleId. Not among them, because no bound can be proved: a scissor over the refraction and reflection
-// targets (their search looks up points along a ray of any length, which no bounds of the water on the screen hold), and
-// leaving out waves shorter than a pixel (the point U and the refracted ray are those of all waves).
+// In the order of RuleId. target_bounds is proved in plan/water_bounds.h. Not among them:
+// - The horizon as a bound of the reflection target, though no look goes below it: there is nothing but sky there, and the
+//   lake's target takes as long with it as without.
+// - Bounds of the refraction target: what lies under the level is drawn there and nothing else, so that beside a pond it is
+//   empty already; and near the critical angle a little slope moves what is seen through the surface without bound.
+// - Leaving out waves shorter than a pixel: the point U and the refracted ray are those of all waves, and no bound of what
+//   that changes is known.
 constexpr std::array<Rule, ruleCount> table{{
     {"cull_chunks", "Leave out the chunks of the scene that a pass's own frustum, clip plane or the water's surface hides",
      nullptr, 1},
@@ -20,6 +24,8 @@ constexpr std::array<Rule, ruleCount> table{{
      "half of 1/255, for a bed whose sunlight waves gather up to 16-fold", 1},
     {"nothing_for_caustics", "No caustics while no camera sees anything under water", nullptr, 1},
     {"glow_out_of_view", "No glow while no wave can mirror its lobe into the view", "half of 1/255", 1},
+    {"target_bounds", "Draw of the reflection target only the part in which the water on the screen can look anything up",
+     nullptr, 1},
     {"keep_maps", "Keep the sun's maps, the maps of heights and the caustics while what they are made of stays as it is",
      nullptr, 1},
     {"keep_targets", "Keep the refraction and reflection targets while what they are made of stays as it is", nullptr, 1},

@@ -17,11 +17,12 @@ enum class RuleId {
     bedTooDeep,
     nothingForCaustics,
     glowOutOfView,
+    targetBounds,
     keepMaps,
     keepTargets,
     keepFrame,
 };
-inline constexpr std::size_t ruleCount = 11;
+inline constexpr std::size_t ruleCount = 12;
 
 struct Rule {
     const char* name;      ///< the option plan.NAME that allows it

@@ -94,7 +94,7 @@ bool wantsMore(const FramePlan& plan, const FramePlan& before)
     if (before.rule(RuleId::waterHidden).applies) return true;
     for (std::size_t i = 0; i < passCount; ++i)
         if (plan.passes[i].wanted && !before.passes[i].wanted) return true;
-    return false;
+    return plan.mirrorBounds != before.mirrorBounds;
 }
 
 /// Foliage by chance of its share of a pixel is right in the mean of several pixels, and noise where one must do.
@@ -330,10 +330,10 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
 {
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
-    sight = lookAround(boxes, scene, water, input.camera, aspect, options, light);
-    sight.waterWasHidden = hiddenWater.wasHidden() && !checking && !input.sameMoment;
     Options allowed = options;
     if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
+    sight = lookAround(boxes, scene, water, input.camera, input.size, allowed, light);
+    sight.waterWasHidden = hiddenWater.wasHidden() && !checking && !input.sameMoment;
     const FramePlan before = std::move(stats.plan);
     stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
                            complexity ? &*complexity : nullptr, &sight);
@@ -346,6 +346,7 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     main = mainView(input.camera, aspect);
     refractionView = tarn::refractionView(input.camera, aspect, water, options, isBelow);
     reflectionView = tarn::reflectionView(input.camera, aspect, water, options.reflection, isBelow);
+    reflectionView.lookedUp = stats.plan.mirrorBounds;
     if (isCrossing) {
         refractionViewBelow = tarn::refractionView(input.camera, aspect, water, options, true);
         reflectionViewBelow = tarn::reflectionView(input.camera, aspect, water, options.reflection, true);
@@ -475,12 +476,12 @@ void Renderer::State::drawMaps()
 /// What the water alone looks up.
 void Renderer::State::drawTargets(const FrameInput& input)
 {
-    const auto keeps = [&](PassId pass, bool receives) {
+    const auto keeps = [&](PassId pass, const View& view, bool receives) {
         const bool showsCaustics = stats.plan.side != WaterSide::above || receives;
-        return kept.target(pass, input.camera, stats.plan.side, lit.caustics, showsCaustics);
+        return kept.target(pass, input.camera, stats.plan.side, view.lookedUp, lit.caustics, showsCaustics);
     };
-    if (stats.plan[PassId::refraction].wanted && !keeps(PassId::refraction, sight.refractionReceives)) drawRefraction();
-    if (stats.plan[PassId::reflection].wanted && !keeps(PassId::reflection, sight.reflectionReceives)) drawReflection();
+    if (stats.plan[PassId::refraction].wanted && !keeps(PassId::refraction, refractionView, sight.refractionReceives)) drawRefraction();
+    if (stats.plan[PassId::reflection].wanted && !keeps(PassId::reflection, reflectionView, sight.reflectionReceives)) drawReflection();
     kept.tell(stats.plan, RuleId::keepTargets);
 }
 

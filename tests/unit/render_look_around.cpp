@@ -19,7 +19,7 @@ Camera cameraAt(const vec3& eye, const vec3& target)
 
 Sight sightOf(const Scene& scene, const Camera& camera)
 {
-    return lookAround(listBoxes(scene), scene, scene.water, camera, 4.0f / 3.0f, {}, {});
+    return lookAround(listBoxes(scene), scene, scene.water, camera, {640, 480}, {}, {});
 }
 
 } // namespace
