@@ -9,8 +9,10 @@ namespace {
 //   lake's target takes as long with it as without.
 // - Bounds of the refraction target: what lies under the level is drawn there and nothing else, so that beside a pond it is
 //   empty already; and near the critical angle a little slope moves what is seen through the surface without bound.
-// - Leaving out waves shorter than a pixel: the point U and the refracted ray are those of all waves, and no bound of what
-//   that changes is known.
+// - Leaving out waves shorter than a pixel: the point U and the refracted ray are those of all waves. Where that moves what
+//   is seen by a quarter of a pixel, an edge changes by a quarter of its contrast, which is no bound in 1/255. And it would
+//   save little: seen from 300 m above, without the four shortest of its twenty waves, which are as many as keep within a
+//   quarter of a pixel, the lake's water pass takes 4 to 6 % less time and the frame about 1 %.
 constexpr std::array<Rule, ruleCount> table{{
     {"cull_chunks", "Leave out the chunks of the scene that a pass's own frustum, clip plane or the water's surface hides",
      nullptr, 1},
