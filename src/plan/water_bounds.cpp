@@ -187,6 +187,8 @@ float largestSlope(const WaterBody& water, const Options& options, float footpri
 TargetBounds mirrorBounds(const WaterBody& water, const Camera& camera, const Options& options, ivec2 size)
 {
     if (water.normalMap.isSeen()) return {}; // whose slopes have no bound
+    // Nor have those between a triangle's corners where it is gone on with beside them.
+    if (options.water.normals == WaterOptions::Normals::vertex && options.frame.msaa > 1) return {};
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     const float height = camera.eye.y - water.level, amplitude = totalAmplitude(water);
     const std::vector<vec3> corners = visibleCorners(water, camera, aspect);
@@ -209,10 +211,11 @@ TargetBounds mirrorBounds(const WaterBody& water, const Camera& camera, const Op
     const Surroundings looks(corners, std::max(std::asin(rise), turn) + halfPixel + rounding);
     if (looks.reachesCamera) return {};
 
-    const float extension = optics::fovExtension(height, options.reflection.fovExtensionNear, options.reflection.fovExtensionFar);
+    const ReflectionOptions& reflection = options.reflection;
+    const float extension = optics::fovExtension(height, reflection.fovExtensionNear, reflection.fovExtensionFar);
     const ViewTangents target(clipFromView(camera, aspect, extension));
     return wholeTexels((looks.lower - target.middle) / target.half, (looks.upper - target.middle) / target.half,
-                       options.reflection.targetSize);
+                       reflection.targetSize);
 }
 
 } // namespace tarn

@@ -121,6 +121,11 @@ TEST(WaterBounds, WithoutABoundAllIsLookedUp)
     WaterBody steep = calmPond();
     steep.waves[0].amplitude = 0.3f;
     EXPECT_TRUE(mirrorBounds(steep, camera, options, size).isWhole());
+    Options vertexNormals;
+    vertexNormals.water.normals = WaterOptions::Normals::vertex;
+    EXPECT_TRUE(mirrorBounds(calmPond(), camera, vertexNormals, size).isWhole());
+    vertexNormals.frame.msaa = 1;
+    EXPECT_FALSE(mirrorBounds(calmPond(), camera, vertexNormals, size).isWhole());
     Camera low = camera;
     low.eye.y = 0.1f;
     EXPECT_TRUE(mirrorBounds(calmPond(), low, options, size).isWhole());
