@@ -100,8 +100,7 @@ void run(const ExplainCommand& command)
         complexity = depthComplexity(stage.scene, stage.settings.water);
     const Options& options = stage.settings.options;
     const WaterBody& water = stage.settings.water;
-    const float aspect = static_cast<float>(command.view.size.x) / static_cast<float>(command.view.size.y);
-    const Sight sight = lookAround(listBoxes(stage.scene), stage.scene, water, camera, aspect, options,
+    const Sight sight = lookAround(listBoxes(stage.scene), stage.scene, water, camera, command.view.size, options,
                                    frameBlock(stage.scene, water, SkyModel(stage.scene), options));
     const FramePlan plan = planFrame(stage.scene, water, camera, options, command.view.size, command.view.time,
                                      complexity ? &*complexity : nullptr, &sight);

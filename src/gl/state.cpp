@@ -76,7 +76,8 @@ void apply(const State& state)
     enable(GL_PROGRAM_POINT_SIZE, state.shaderPointSize);
     glEnable(GL_MULTISAMPLE);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    glDisable(GL_SCISSOR_TEST);
+    enable(GL_SCISSOR_TEST, state.scissor.has_value());
+    if (const auto& rect = state.scissor) glScissor(rect->lower.x, rect->lower.y, rect->size.x, rect->size.y);
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_DITHER);
 }

@@ -5,12 +5,19 @@
 
 #include "base/math.h"
 
+#include <optional>
+
 namespace tarn::gl
 {
 
 enum class DepthTest { off, less, lessEqual, equal, always, greater };
 enum class Cull { none, back, front };
 enum class Blend { none, alpha, premultiplied, add };
+
+/// Whole pixels of a framebuffer.
+struct PixelRect {
+    ivec2 lower{0}, size{0};
+};
 
 struct State {
     DepthTest depthTest = DepthTest::less;
@@ -28,9 +35,10 @@ struct State {
     bool wireframe = false;
     bool shaderPointSize = false; ///< points are as large as gl_PointSize says
     vec2 depthOffset{0.0f}; ///< slope factor and constant units
+    std::optional<PixelRect> scissor{}; ///< beside it nothing is drawn
 };
 
-/// Sets everything there is in State, plus what never changes: no scissor, no stencil, no dithering,
+/// Sets everything there is in State, plus what never changes: no stencil, no dithering,
 /// filtering across the edges of cube maps, rows of pixels packed.
 void apply(const State& state);
 

@@ -5,6 +5,7 @@
 #include "plan/lookup_choice.h"
 #include "plan/options.h"
 #include "plan/sight.h"
+#include "plan/water_bounds.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -40,6 +41,8 @@ struct FramePlan {
     optics64::WaterGrid waterGrid{};   ///< that draws the surface
     bool raycastsBed = false, raycastsMirror = false; ///< from above, through which of the maps of heights
     bool targetsBed = true, targetsMirror = true; ///< from above, in which of the targets; from below it is always both
+
+    TargetBounds mirrorBounds; ///< what is drawn of the reflection target; from above
 
     RuleStates rules; ///< by RuleId: what is left out, and why
 

@@ -42,6 +42,9 @@ namespace {
 /// What nobody sees: half of a step of the display, less a little for this sum's own rounding.
 constexpr float invisible = 0.48f / 255.0f;
 
+/// Of a target: what is left out beside it is not worth the rule.
+constexpr float nearlyAll = 0.95f;
+
 class Reduction {
 public:
     Reduction(FramePlan& plan, const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
@@ -71,6 +74,7 @@ public:
         decideGlow();
         decide(RuleId::fewestCascades, whyNoShadows(), "each chunk's shader knows the maps of the sun that it lies in");
         decide(RuleId::cullHidden, "there is no earlier frame to tell what is hidden", ""); // until the renderer knows better
+        decideBounds();
         for (const RuleId id : {RuleId::keepMaps, RuleId::keepTargets, RuleId::keepFrame})
             decide(id, "there is no earlier frame to keep anything of", "");
     }
@@ -222,6 +226,19 @@ private:
         }
         decide(RuleId::glowOutOfView, whyNot, "no wave is steep enough to mirror the sun's lobe into the view");
         if (applies(RuleId::glowOutOfView)) drop({PassId::glow}, "no wave is steep enough to mirror the sun's lobe into the view");
+    }
+
+    void decideBounds()
+    {
+        TargetBounds bounds;
+        std::string whyNot;
+        if (!plan_[PassId::reflection].wanted) whyNot = "there is no reflection target";
+        else if (!isFromAbove()) whyNot = "the surface is seen from below";
+        else if (bounds = mirrorBounds(water_, camera_, options_, plan_[PassId::water].size); bounds.share() > nearlyAll)
+            whyNot = "the water may look up all of the reflection target";
+        decide(RuleId::targetBounds, whyNot,
+               fmt::format("the water looks up {:.0f} % of the reflection target at most", 100.0f * bounds.share()));
+        if (applies(RuleId::targetBounds)) plan_.mirrorBounds = bounds;
     }
 
     FramePlan& plan_;

@@ -19,11 +19,12 @@ enum class RuleId {
     bedTooDeep,
     nothingForCaustics,
     glowOutOfView,
+    targetBounds,
     keepMaps,
     keepTargets,
     keepFrame,
 };
-inline constexpr std::size_t ruleCount = 13;
+inline constexpr std::size_t ruleCount = 14;
 
 struct Rule {
     const char* name;      ///< the option plan.NAME that allows it

@@ -43,9 +43,10 @@ bool Kept::caustics(CausticsKey key)
                  caustics_.holds({key, moment_.options.caustics, moment_.options.sunlight, moment_.rebuilt}));
 }
 
-bool Kept::target(PassId pass, const Camera& camera, WaterSide side, bool hasCaustics, bool showsCaustics)
+bool Kept::target(PassId pass, const Camera& camera, WaterSide side, const TargetBounds& bounds, bool hasCaustics,
+                  bool showsCaustics)
 {
-    TargetKey key{moment_, side, hasCaustics, hasCaustics && showsCaustics ? causticsDrawn_ : 0};
+    TargetKey key{moment_, side, bounds, hasCaustics, hasCaustics && showsCaustics ? causticsDrawn_ : 0};
     key.moment.camera = camera;
     key.moment.time = 0.0;
     key.moment.view = DebugView::final;

@@ -66,8 +66,10 @@ public:
     void causticsWereDrawn() { ++causticsDrawn_; }
 
     /// Whether the refraction or the reflection target may stay; it is noted. Waves move neither.
-    /// @param camera of the eye that is drawn   @param showsCaustics it may hold something that they light
-    bool target(PassId pass, const Camera& camera, WaterSide side, bool hasCaustics, bool showsCaustics);
+    /// @param camera of the eye that is drawn   @param bounds of what is drawn
+    /// @param showsCaustics it may hold something that they light
+    bool target(PassId pass, const Camera& camera, WaterSide side, const TargetBounds& bounds, bool hasCaustics,
+                bool showsCaustics);
 
     /// Tells the plan what was noted since the last time.
     void tell(FramePlan& plan, RuleId rule);
@@ -80,6 +82,7 @@ private:
     struct TargetKey {
         Moment moment; ///< its time 0, its view the final one
         WaterSide side = WaterSide::above;
+        TargetBounds bounds;
         bool hasCaustics = false;
         std::size_t causticsDrawn = 0; ///< so far, where the target shows any
         bool operator==(const TargetKey&) const = default;

@@ -43,11 +43,14 @@ vec3 largestReflectance(const Material& material)
 } // namespace
 
 Sight lookAround(const std::vector<SceneBox>& boxes, const Scene& scene, const WaterBody& water, const Camera& camera,
-                 float aspect, const Options& options, const blocks::FrameBlock& light)
+                 ivec2 size, const Options& options, const blocks::FrameBlock& light)
 {
+    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     const View main = mainView(camera, aspect);
     const View refraction = refractionView(camera, aspect, water, options, false);
-    const View mirrored = reflectionView(camera, aspect, water, options.reflection, false);
+    View mirrored = reflectionView(camera, aspect, water, options.reflection, false);
+    if (options.plan.allows(RuleId::targetBounds))
+        mirrored.lookedUp = mirrorBounds(water, camera, options, size * options.frame.supersampling);
     const WaterCover cover = waterCover(water), none;
     Sight sight;
     sight.mirrors = sight.seesBed = sight.mainReceives = sight.refractionReceives = sight.reflectionReceives = false;

@@ -20,8 +20,8 @@ struct SceneBox {
 std::vector<SceneBox> listBoxes(const Scene& scene);
 
 /// For an eye above the water; what an eye under it sees, no rule asks for.
-/// @param aspect width / height of the picture   @param light of the frame (render/frame_light.h)
+/// @param size of the picture, pixels   @param light of the frame (render/frame_light.h)
 Sight lookAround(const std::vector<SceneBox>& boxes, const Scene& scene, const WaterBody& water, const Camera& camera,
-                 float aspect, const Options& options, const blocks::FrameBlock& light);
+                 ivec2 size, const Options& options, const blocks::FrameBlock& light);
 
 } // namespace tarn

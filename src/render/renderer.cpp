@@ -92,7 +92,7 @@ bool wantsMore(const FramePlan& plan, const FramePlan& before)
     if (before.rule(RuleId::waterHidden).applies) return true;
     for (std::size_t i = 0; i < passCount; ++i)
         if (plan.passes[i].wanted && !before.passes[i].wanted) return true;
-    return false;
+    return plan.mirrorBounds != before.mirrorBounds;
 }
 
 /// Levels of detail leave something out, and approximately.
@@ -309,12 +309,12 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
 {
     const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
-    sight = lookAround(boxes, scene, water, input.camera, aspect, options, light);
+    Options allowed = options;
+    if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
+    sight = lookAround(boxes, scene, water, input.camera, input.size, allowed, light);
     hiddenBlocks.takeAnswers();
     sight.waterWasHidden = hiddenBlocks.wereAllHidden() && OcclusionPass::canAsk(waterBounds(water), input.camera.eye) &&
                            !drawing.checking && !input.sameMoment;
-    Options allowed = options;
-    if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
     const FramePlan before = std::move(drawing.stats.plan);
     drawing.stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
                            complexity ? &*complexity : nullptr, &sight);

@@ -222,7 +222,8 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
                        .clockwiseFront = view.mirrored,
                        .blend = style.countsFaces ? gl::Blend::add : gl::Blend::none,
                        .clipDistances = view.clips() ? 1 : 0,
-                       .alphaToCoverage = (state & 2) != 0});
+                       .alphaToCoverage = (state & 2) != 0,
+                       .scissor = style.scissor});
             lastState = state;
         }
         const vec4 onPlane = style.shadows ? onSunPlane(*chunk) : vec4(0.0f);
@@ -264,7 +265,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
 
 void ScenePainter::drawSky(const PaintStyle& style)
 {
-    gl::apply({.depthTest = gl::DepthTest::lessEqual, .depthWrite = false});
+    gl::apply({.depthTest = gl::DepthTest::lessEqual, .depthWrite = false, .scissor = style.scissor});
     gl::Program& program = skyProgram(style);
     program.use();
     if (!style.underwaterEye) program.texture("skyMap", scene_.skyMap());

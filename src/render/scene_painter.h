@@ -3,12 +3,14 @@
 
 #include "gl/profiler.h"
 #include "gl/shader_library.h"
+#include "gl/state.h"
 #include "render/gpu_scene.h"
 #include "render/renderer.h"
 #include "render/sun_views.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace tarn {
 
@@ -29,6 +31,7 @@ struct PaintStyle {
     bool bothSides = false;       ///< faces are there seen from behind, too: whatever side the sun sees casts a shadow
     bool forMap = false;          ///< all but the sun's light under water, and beside it how that would be answered
     bool countsFaces = false;     ///< adds 1 for each face that is seen from the front and takes 1 for each from behind
+    std::optional<gl::PixelRect> scissor{}; ///< beside it nothing is drawn
     bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
 };
 

@@ -52,6 +52,14 @@ float extensionThroughSurface(const View& view, float ior, float least, float mo
 
 } // namespace
 
+Frustum View::frustum() const
+{
+    const vec2 scale = 2.0f / (lookedUp.upper - lookedUp.lower);
+    const vec2 middle = 0.5f * (lookedUp.lower + lookedUp.upper);
+    const mat4 cropped = glm::scale(mat4(1.0f), vec3(scale, 1.0f)) * glm::translate(mat4(1.0f), vec3(-middle, 0.0f));
+    return Frustum(lookedUp.isWhole() ? clipFromWorld() : cropped * clipFromWorld());
+}
+
 View mainView(const Camera& camera, float aspect) { return viewOf(camera, aspect, 1.0f); }
 
 View refractionView(const Camera& camera, float aspect, const WaterBody& water, const Options& allOptions,

@@ -3,6 +3,7 @@
 
 #include "optics/blocks.h"
 #include "plan/options.h"
+#include "plan/water_bounds.h"
 #include "scene/scene.h"
 
 #include <optional>
@@ -19,12 +20,15 @@ struct View {
     float nearPlane = 0.1f, farPlane = 1000.0f;
     std::optional<float> flatWater; ///< level of a flat surface through which the eye, above it, sees what is below
 
+    TargetBounds lookedUp; ///< the rest of its target need not be drawn
+
     /// By how much geometry may be off, m: for each metre of its distance from the eye, or anywhere in a parallel
     /// projection. 0: full detail.
     float geometryError = 0.0f;
 
     bool isParallel() const { return clipFromView[2][3] == 0.0f; }
     mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
+    Frustum frustum() const; ///< of what is looked up, world space
     bool clips() const { return clipPlane != vec4(0.0f); }
 };
 

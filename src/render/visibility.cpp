@@ -143,7 +143,7 @@ public:
 
     VisibleChunks(const Chunks& chunks, const std::vector<Material>& materials, const View& view,
                   const WaterCover& cover, bool cull, const WaterBody* water)
-        : chunks_(chunks), materials_(materials), view_(view), cover_(cover), frustum_(view.clipFromWorld()),
+        : chunks_(chunks), materials_(materials), view_(view), cover_(cover), frustum_(view.frustum()),
           cull_(cull), water_(water)
     {
     }
@@ -208,7 +208,7 @@ std::vector<const Chunk*> visibleChunks(const Chunks& chunks, const std::vector<
 bool mayShow(const View& view, const WaterCover& cover, const Bounds& boxW)
 {
     const Bounds shown = view.flatWater ? seenThroughFlatWater(boxW, *view.flatWater) : boxW;
-    return Frustum(view.clipFromWorld()).intersects(shown) && keptByPlane(view.clipPlane, boxW) &&
+    return view.frustum().intersects(shown) && keptByPlane(view.clipPlane, boxW) &&
            !cover.hides(view.eye, boxW);
 }
 

@@ -5,6 +5,7 @@ namespace tarn {
 void WaterTargets::begin(const Inputs& inputs, const FramePlan& plan)
 {
     place(first_, inputs, plan.side == WaterSide::below);
+    first_.reflectionView.lookedUp = plan.mirrorBounds;
     if (plan.side == WaterSide::crossing) place(below_, inputs, true);
 }
 
@@ -25,13 +26,13 @@ void WaterTargets::place(Side& side, const Inputs& inputs, bool underwater) cons
 void WaterTargets::draw(const Inputs& inputs, const Sight& sight, Drawing& drawing)
 {
     const FramePlan& plan = drawing.plan();
-    const auto keeps = [&](PassId pass, bool receives) {
+    const auto keeps = [&](PassId pass, const View& view, bool receives) {
         const bool showsCaustics = plan.side != WaterSide::above || receives;
-        return drawing.kept.target(pass, inputs.camera, plan.side, inputs.lit.caustics, showsCaustics);
+        return drawing.kept.target(pass, inputs.camera, plan.side, view.lookedUp, inputs.lit.caustics, showsCaustics);
     };
-    if (plan[PassId::refraction].wanted && !keeps(PassId::refraction, sight.refractionReceives))
+    if (plan[PassId::refraction].wanted && !keeps(PassId::refraction, first_.refractionView, sight.refractionReceives))
         drawRefraction(inputs, drawing);
-    if (plan[PassId::reflection].wanted && !keeps(PassId::reflection, sight.reflectionReceives))
+    if (plan[PassId::reflection].wanted && !keeps(PassId::reflection, first_.reflectionView, sight.reflectionReceives))
         drawReflection(inputs, drawing);
     drawing.kept.tell(drawing.stats.plan, RuleId::keepTargets);
 }

@@ -262,6 +262,40 @@ TEST(FrameLeftOut, AGlowBehindTheEyeIsNotMissed)
     EXPECT_FALSE(pair.draw(cameraAt({0, 2, -7}), 0.2).plan.rule(RuleId::glowOutOfView).applies) << "towards the sun";
 }
 
+// A calm pond far away fills a strip of the picture. Only what its looks may need of the target is drawn; a debug view has
+// all of it.
+TEST(FrameLeftOut, WhatNoWaterOnTheScreenCanMirrorIsNotMissed)
+{
+    Scene scene = pond();
+    scene.water.extent = vec2(8.0f, 6.0f);
+    scene.water.waves = {{0.004f, 1.3f, 0.3f, 0.0f, 0.0f}, {0.001f, 0.4f, 1.2f, 0.0f, 0.0f}};
+    addBox(scene, {-3, 1, -9}, {3, 4, -8}, 0);    // mirrored
+    addBox(scene, {14, 1, -60}, {22, 6, -50}, 0); // in the mirrored camera's frustum, and in no mirror
+    Pair pair(scene, smallOptions());
+    const auto triangles = [](const FrameStats& stats) {
+        for (const FrameStats::Pass& pass : stats.passes)
+            if (pass.name == passName(PassId::reflection)) return pass.triangles;
+        return std::size_t{0};
+    };
+    const Camera camera = cameraAt({3, 14, 30}, {0, 1, 0});
+    const FrameStats bounded = pair.draw(camera, 0.2);
+    EXPECT_TRUE(bounded.plan.rule(RuleId::targetBounds).applies) << bounded.plan.rule(RuleId::targetBounds).why;
+    pair.planned.renderer.render({camera, 0.2, size, DebugView::reflection, true});
+    pair.full.renderer.render({camera, 0.2, size, DebugView::reflection});
+    const Image a = pair.planned.renderer.readLinear(), b = pair.full.renderer.readLinear();
+    float most = 0.0f;
+    for (std::size_t k = 0; k < b.floats.size(); ++k) most = std::max(most, std::abs(a.floats[k] - b.floats[k]));
+    EXPECT_LT(most, 1.0e-3f);
+    Options whole = pair.options;
+    whole.plan.rules[static_cast<std::size_t>(RuleId::targetBounds)] = false;
+    pair.change(whole);
+    EXPECT_LT(triangles(bounded), triangles(pair.draw(camera, 0.2)));
+    for (const vec3& eye : {vec3(20, 14, 20), vec3(-3, 25, 18), vec3(0, 9, -14)}) {
+        pair.change(smallOptions());
+        pair.draw(cameraAt(eye, {0, 0, 0}), 0.3);
+    }
+}
+
 // A debug view of the moment that a picture was just drawn of shows what that picture did not need.
 TEST(FrameLeftOut, DebugViewsOfTheSameMomentHaveIt)
 {

@@ -19,7 +19,7 @@ Camera cameraAt(const vec3& eye, const vec3& target)
 
 Sight sightOf(const Scene& scene, const Camera& camera)
 {
-    return lookAround(listBoxes(scene), scene, scene.water, camera, 4.0f / 3.0f, {}, {});
+    return lookAround(listBoxes(scene), scene, scene.water, camera, {640, 480}, {}, {});
 }
 
 } // namespace
@@ -57,6 +57,19 @@ TEST(LookAround, WhatStandsInTheAirOrBesideTheWaterIsDry)
     const Sight sight = sightOf(scene, cameraAt({0, 12, 37}, {8, 0, 0}));
     EXPECT_TRUE(sight.mirrors);
     EXPECT_FALSE(sight.mainReceives || sight.refractionReceives || sight.reflectionReceives);
+}
+
+// In the mirrored camera's frustum, but nowhere near what calm water in a corner of the picture can mirror.
+TEST(LookAround, WhatNoWaterOnTheScreenCanMirrorIsNotMirrored)
+{
+    Scene scene = flatLake(3.0f, 6.0f);
+    scene.elements.clear();
+    addBox(scene, {14, 1, -60}, {22, 6, -50}, 0);
+    const Camera camera = cameraAt({3, 14, 30}, {0, 1, 0});
+    EXPECT_FALSE(sightOf(scene, camera).mirrors);
+    Options options;
+    options.plan.rules[static_cast<std::size_t>(RuleId::targetBounds)] = false;
+    EXPECT_TRUE(lookAround(listBoxes(scene), scene, scene.water, camera, {640, 480}, options, {}).mirrors);
 }
 
 } // namespace tarn::test

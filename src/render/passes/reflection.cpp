@@ -16,6 +16,10 @@ const gl::Target& ReflectionPass::draw(ScenePainter& painter, const ReflectionOp
     target_.drawFramebuffer().clearDepth();
     PaintStyle style = inputs.style;
     style.underwaterEye = inputs.underwater;
+    if (const TargetBounds& bounds = inputs.view.lookedUp; !bounds.isWhole()) {
+        const auto texel = [&](vec2 at) { return ivec2(glm::round((0.5f * at + 0.5f) * vec2(target_.size()))); };
+        style.scissor = gl::PixelRect{texel(bounds.lower), texel(bounds.upper) - texel(bounds.lower)};
+    }
     painter.draw(inputs.view, style, WaterCover{}, inputs.cull, stats);
     return target_;
 }
