@@ -44,9 +44,10 @@ std::vector<RuleShare> sharesOf(const RenderedSubject& subject)
 std::vector<RuleShare> sharesBefore(const BenchCommand& command, Session& session, const Settings& settings,
                                     const SubjectView& view)
 {
-    RenderedSubject subject("planned", session, settings, view);
+    constexpr bool keepsPictures = true;
+    RenderedSubject subject("planned", session, settings, view, keepsPictures);
     for (int index = 0; index < command.frames; ++index) {
-        subject.prepare(index);
+        subject.prepare(index, index > 0);
         subject.draw(index);
     }
     return sharesOf(subject);
@@ -124,9 +125,7 @@ void run(const BenchCommand& command)
     std::vector<std::unique_ptr<BenchSubject>> subjects;
     std::vector<const RenderedSubject*> rendered; // the same
     for (const auto& [name, settings] : configurations) {
-        std::unique_ptr<RenderedSubject> subject;
-        if (command.table || command.settled) subject = std::make_unique<SettledSubject>(name, session, settings, view);
-        else subject = std::make_unique<RenderedSubject>(name, session, settings, view);
+        auto subject = std::make_unique<RenderedSubject>(name, session, settings, view, command.rules);
         rendered.push_back(subject.get());
         subjects.push_back(std::move(subject));
     }

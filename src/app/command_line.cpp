@@ -267,10 +267,6 @@ std::function<Command()> defineBench(Flags& flags)
     addView(flags, command->view);
     flags.count("--frames", "Frames measured of each configuration", command->frames, 1, 1000000);
     flags.count("--warm-up", "Frames drawn first and not counted", command->warmUp, 0, 10000);
-    flags.toggle("--settled",
-                 "Draw a frame before each that counts, so that targets and maps of the sun that one configuration has and "
-                 "the next has not are made there",
-                 command->settled);
     flags.list("--vary", "KEY=VALUE", "Measure one more configuration, with this option set",
                command->variants);
     flags.toggle("--flight", "Fly past the scene's cameras, from the first to the last, in the frames that are measured",

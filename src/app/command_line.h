@@ -70,7 +70,6 @@ struct BenchCommand {
     ViewArguments view;
     int frames = 60;
     int warmUp = 5;
-    bool settled = false; ///< a frame is drawn before each that counts
     std::vector<std::string> variants; ///< "key=value": one more configuration each
     bool flight = false; ///< past all of the scene's cameras
     bool rules = false;  ///< measures the plan's rules: without each, and without all of them

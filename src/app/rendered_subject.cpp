@@ -14,12 +14,18 @@ constexpr double secondsPerFrame = 1.0 / 30.0;
 } // namespace
 
 RenderedSubject::RenderedSubject(std::string name, Session& session, Settings settings,
-                                 const SubjectView& view)
+                                 const SubjectView& view, bool keepsPictures)
     : name_(std::move(name)), session_(session), settings_(std::move(settings)), view_(view)
 {
-    // Configurations take turns, and some follow themselves: a kept picture would be no price of theirs.
+    if (keepsPictures) return;
     for (const RuleId id : {RuleId::keepFrame, RuleId::keepTargets})
         settings_.options.plan.rules[static_cast<std::size_t>(id)] = false;
+}
+
+void RenderedSubject::prepare(int index, bool followsItself)
+{
+    if (!followsItself) drawAt(index - 0.5); // the same moment would be kept
+    isMeasured_ = true;
 }
 
 void RenderedSubject::draw(int index)

@@ -24,10 +24,14 @@ struct SubjectView {
 class RenderedSubject : public BenchSubject {
 public:
     /// Keeps references to the session and the view.
-    RenderedSubject(std::string name, Session& session, Settings settings, const SubjectView& view);
+    /// @param keepsPictures what stays as it is from frame to frame, a target or all of the picture, is no price of a
+    ///        setting, and is drawn; true: it is kept, as the plan says
+    RenderedSubject(std::string name, Session& session, Settings settings, const SubjectView& view, bool keepsPictures = false);
 
     std::string name() const override { return name_; }
-    void prepare(int /*index*/) override { isMeasured_ = true; }
+    /// Draws a frame of its own after another subject's: targets of another size and maps that the other does without are
+    /// made there, and what the rules of the plan know of the last frame they know of one with the same settings.
+    void prepare(int index, bool followsItself) override;
     void draw(int index) override;
     std::vector<BenchPass> drawPasses(int index) override;
 
@@ -39,12 +43,9 @@ public:
 
 private:
     std::uint64_t triangles(const std::string& pass) const;
-
-protected:
     /// @param index of a frame, or of a moment between two
     void drawAt(double index);
 
-private:
     std::string name_;
     Session& session_;
     Settings settings_;
@@ -54,18 +55,6 @@ private:
     bool isMeasured_ = false; ///< the next frame that draw() draws
     std::array<int, ruleCount> ruleFrames_{};
     int measuredFrames_ = 0;
-};
-
-/// Draws a frame before each that counts: the subject before had targets of another size, and making them
-/// anew is no part of this one's cost.
-class SettledSubject : public RenderedSubject {
-public:
-    using RenderedSubject::RenderedSubject;
-    void prepare(int index) override
-    {
-        drawAt(index - 0.5); // the same moment would be kept
-        RenderedSubject::prepare(index);
-    }
 };
 
 } // namespace tarn

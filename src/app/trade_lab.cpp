@@ -104,7 +104,7 @@ public:
         std::vector<std::unique_ptr<BenchSubject>> subjects;
         for (const TradePoint& point : points)
             subjects.push_back(
-                std::make_unique<SettledSubject>(point.label, session_, settingsOf(point), subjectView));
+                std::make_unique<RenderedSubject>(point.label, session_, settingsOf(point), subjectView));
         const BenchReport report = runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 0}); // these warm themselves
         std::vector<Price> prices;
         for (const BenchResult& result : report.results)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <utility>
 
 namespace tarn
 {
@@ -83,9 +84,9 @@ private:
     std::vector<double> triangles_;
 };
 
-void measureFrame(BenchSubject& subject, int index, bool passes, Recorder& recorder)
+void measureFrame(BenchSubject& subject, int index, bool followsItself, bool passes, Recorder& recorder)
 {
-    subject.prepare(index);
+    subject.prepare(index, followsItself);
     const double cpuStart = processCpuSeconds();
     const Clock::time_point start = Clock::now();
     subject.draw(index);
@@ -111,12 +112,15 @@ BenchReport runBenchmark(const std::vector<std::unique_ptr<BenchSubject>>& subje
     }
 
     const std::size_t count = subjects.size();
+    const BenchSubject* last = plan.warmUp > 0 ? subjects.back().get() : nullptr; // that drew
     for (int index = 0; index < plan.frames; ++index) {
         if (progress) progress->report(static_cast<double>(index) / plan.frames, "measuring");
         for (std::size_t turn = 0; turn < count; ++turn) {
             // Every other round runs backwards, so that none always follows the same neighbour.
             const std::size_t which = index % 2 == 0 ? turn : count - 1 - turn;
-            measureFrame(*subjects[which], index, index % plan.passesEvery == 0, recorders[which]);
+            BenchSubject& subject = *subjects[which];
+            const bool followsItself = std::exchange(last, &subject) == &subject;
+            measureFrame(subject, index, followsItself, index % plan.passesEvery == 0, recorders[which]);
         }
     }
 

@@ -30,7 +30,8 @@ public:
     virtual ~BenchSubject() = default;
     virtual std::string name() const = 0;
     /// Called before each measured frame and not counted: for what only taking turns costs.
-    virtual void prepare(int /*index*/) {}
+    /// @param followsItself no other subject has drawn since this one did
+    virtual void prepare(int /*index*/, bool /*followsItself*/) {}
     /// Draws frame `index` and returns when the GPU has finished it. What this takes is the frame's time.
     virtual void draw(int index) = 0;
     /// Draws it again, waiting after each pass, which costs a little more than the passes do when they

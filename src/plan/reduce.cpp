@@ -175,7 +175,8 @@ private:
     {
         std::string whyNot = whySeesBed();
         if (plan_[PassId::refraction].wanted && isFromAbove() && sight_) {
-            if (sight_->leastDepth <= 0.0f) whyNot = "its camera may see what is not under water";
+            if (!sight_->seesBed) whyNot = "its camera sees nothing";
+            else if (sight_->leastDepth <= 0.0f) whyNot = "its camera may see what is not under water";
             else if (!scene_.pointLights.empty() || !scene_.spotLights.empty()) whyNot = "lamps may light the bed without bound";
             else if (const float visible = bedVisibility(); visible > invisible)
                 whyNot = fmt::format("the nearest bed, {:.2f} m deep, may be worth {:.3g}/255", sight_->leastDepth, 255.0f * visible);

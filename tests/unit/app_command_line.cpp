@@ -147,8 +147,6 @@ TEST(CommandLine, BenchVariants)
         parsed<BenchCommand>({"bench", "--frames", "7", "--vary", "refraction.steps=1", "--vary", "a.b=c"});
     EXPECT_EQ(c.frames, 7);
     EXPECT_EQ(c.variants, (std::vector<std::string>{"refraction.steps=1", "a.b=c"}));
-    EXPECT_FALSE(c.settled);
-    EXPECT_TRUE(parsed<BenchCommand>({"bench", "--settled"}).settled);
 }
 
 TEST(CommandLine, BenchTables)

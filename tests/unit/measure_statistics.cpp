@@ -110,6 +110,27 @@ TEST(Benchmark, SubjectsTakeTurnsInAlternatingOrderAfterWarmingUp)
     EXPECT_EQ(log, expected);
 }
 
+TEST(Benchmark, TellsASubjectWhetherAnotherDrewSince)
+{
+    class Follower : public FakeSubject
+    {
+    public:
+        using FakeSubject::FakeSubject;
+        void prepare(int, bool followsItself) override { followed.push_back(followsItself); }
+        std::vector<bool> followed;
+    };
+    std::vector<std::string> log;
+    std::vector<std::unique_ptr<BenchSubject>> subjects;
+    for (const char* name : {"a", "b"}) subjects.push_back(std::make_unique<Follower>(name, 0, log));
+    runBenchmark(subjects, {.frames = 3, .warmUp = 1}); // a b | a b, b a, a b
+    const auto followed = [&](std::size_t i) { return static_cast<const Follower&>(*subjects[i]).followed; };
+    EXPECT_EQ(followed(0), (std::vector<bool>{false, false, true}));
+    EXPECT_EQ(followed(1), (std::vector<bool>{false, true, false}));
+    subjects.pop_back();
+    runBenchmark(subjects, {.frames = 2, .warmUp = 0});
+    EXPECT_EQ(followed(0), (std::vector<bool>{false, false, true, false, true})) << "who drew before is not known";
+}
+
 TEST(Benchmark, PreparationIsNotCounted)
 {
     /// Slow to prepare, quick to draw.
@@ -117,7 +138,7 @@ TEST(Benchmark, PreparationIsNotCounted)
     {
     public:
         using FakeSubject::FakeSubject;
-        void prepare(int) override
+        void prepare(int, bool) override
         {
             ++prepared;
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
