@@ -20,7 +20,7 @@ constexpr std::array<Rule, ruleCount> table{{
      nullptr, 1},
     {"fewest_cascades", "Look the sun's shadows up only in those of its maps that a chunk lies in", nullptr, 1},
     {"water_out_of_view", "No targets, surface or glow while the water is outside the view's frustum", nullptr, 1},
-    {"water_hidden", "No targets and no surface while the scene hides the water: asked in the depth of the same frame", nullptr,
+    {"water_hidden", "No targets, surface or highlight while the scene hides the water: asked in the depth of the same frame", nullptr,
      1},
     {"only_sky_mirrored", "No reflection target while its camera sees nothing but sky: the sky is looked up itself",
      "the sky's change between the ray and the texel that the target would show for it, its border included", 3},

@@ -479,7 +479,8 @@ void Renderer::State::drawGlow(const FrameInput& input)
     FrameStats::Pass& pass = drawing.beginPass(PassId::glow, main, size);
     glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(),
                            .size = size,
-                           .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time)},
+                           .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
+                           .ifSeen = plan().rule(RuleId::waterHidden).applies ? &slab : nullptr},
                           pass);
     drawing.check(PassId::glow, *glow);
 }

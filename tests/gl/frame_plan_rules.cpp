@@ -177,6 +177,29 @@ TEST(FrameHiddenWater, NoFrameIsWrongWhenTheEyeJumps)
     EXPECT_FALSE(asks(pair.draw(before, 0.8)));
 }
 
+// The sun's highlight goes with the water, and nothing of an earlier frame's stays.
+TEST(FrameHiddenWater, TheGlowOfHiddenWaterDoesNotStay)
+{
+    Scene scene = pond();
+    scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}};
+    scene.sun->direction = normalize(vec3(0.0f, 0.4f, -1.0f));
+    addBox(scene, {-30, -2, 16}, {30, 8, 17}, 0);
+    Pair pair(scene, smallOptions());
+    const Camera behind = cameraAt({0, 2, 20}, {0, 1, 0}), before = cameraAt({0, 2, 12});
+    pair.draw(before, 0.0);
+    const Image glowing = pair.planned.renderer.readDisplay();
+    pair.draw(behind, 0.1);
+    const FramePlan& plan = pair.draw(behind, 0.2).plan;
+    EXPECT_TRUE(plan.rule(RuleId::waterHidden).applies) << plan.rule(RuleId::waterHidden).why;
+    EXPECT_TRUE(plan[PassId::glow].wanted) << plan[PassId::glow].reason;
+    pair.draw(before, 0.3);
+    Options dull = smallOptions();
+    dull.glow.enabled = false;
+    pair.change(dull);
+    pair.draw(before, 0.0);
+    EXPECT_NE(pair.planned.renderer.readDisplay().bytes, glowing.bytes) << "nothing glowed";
+}
+
 // A wall before a part of the water: its blocks are asked for, and drawn as soon as some of their box is seen.
 TEST(FrameHiddenWater, BlocksComeBackInTheFrameThatSeesThem)
 {

@@ -2,6 +2,8 @@
 
 #include "gl/state.h"
 
+#include <optional>
+
 namespace tarn {
 
 gl::Program& GlowPass::highlightProgram(const WaterOptions& options, bool hasNormalMap)
@@ -29,7 +31,11 @@ const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const 
     p.set("glowColour", options.glow.strength * options.glow.colour);
     p.set("glowExponent", options.glow.exponent);
     if (inputs.normalMap) inputs.normalMap.set(p);
-    grid.draw(options.water.gridSize, stats);
+    {
+        std::optional<gl::VisibilityQuery::Condition> condition; // not of the clear: what an earlier frame left would glow
+        if (inputs.ifSeen) condition.emplace(*inputs.ifSeen);
+        grid.draw(options.water.gridSize, stats);
+    }
     return blur(highlight_.colour());
 }
 

@@ -4,6 +4,7 @@
 #include "gl/shader_library.h"
 #include "gl/target.h"
 #include "gl/vertex_array.h"
+#include "gl/visibility_query.h"
 #include "plan/options.h"
 #include "render/normal_map.h"
 #include "render/water_grid.h"
@@ -21,6 +22,7 @@ public:
         const gl::Texture& sceneDepth; ///< of the picture, water included; its ViewBlock must hold the glow's size
         ivec2 size;                    ///< of the glow's target, pixels
         NormalMapInputs normalMap{};
+        const gl::VisibilityQuery* ifSeen = nullptr; ///< whether anything of the water may be seen; null: it may
     };
 
     /// Highlight and filter. The result is on the display's scale.
