@@ -31,7 +31,9 @@ vec3 lookupAir(vec3 refracted, out vec3 hit, out float share)
     vec3 first = seenInAir(u + refractionDistance * r);
     if (distance(first, u) > isNear * refractionDistance) first = seenInAir(r);
     IntersectionState s = intersectionBegin(u, r, first);
-    for (int i = 1; i < refractionSteps; ++i) s = intersectionStepSeen(s, seenInAir(s.W));
+#define REFRACTION_STEP(i) s = intersectionStepSeen(s, seenInAir(s.W));
+    EACH_REFRACTION_STEP
+#undef REFRACTION_STEP
     s = intersectionEnd(s);
     vec3 w = s.best;
     hit = (worldFromRefractionView * vec4(w, 1.0)).xyz;

@@ -1,19 +1,23 @@
-// Smooths the caustics texture without loss (shared/sunlight.glsl).
+// Smooths the caustics texture along one axis, without loss (shared/sunlight.glsl): the filter is the product of two.
+// AXIS: ivec2(1, 0) or ivec2(0, 1); EACH_TAP: the cells from -RADIUS to RADIUS, counted from 0.
 #include "shared/sunlight.glsl"
 
 uniform sampler2D source;
-uniform int radius;
 
 out vec4 fragment;
+
+vec3 tap(ivec2 cell, ivec2 last, int offset)
+{
+    return causticsFilterWeight(RADIUS, offset) * texelFetch(source, clamp(cell + offset * AXIS, ivec2(0), last), 0).rgb;
+}
 
 void main()
 {
     ivec2 cell = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(source, 0) - 1;
     vec3 sum = vec3(0.0);
-    for (int j = -radius; j <= radius; ++j)
-        for (int i = -radius; i <= radius; ++i)
-            sum += causticsFilterWeight(radius, i) * causticsFilterWeight(radius, j) *
-                   texelFetch(source, clamp(cell + ivec2(i, j), ivec2(0), last), 0).rgb;
+#define TAP(i) sum += tap(cell, last, i - RADIUS);
+    EACH_TAP
+#undef TAP
     fragment = vec4(sum, 1.0);
 }

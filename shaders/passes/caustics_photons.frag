@@ -6,6 +6,7 @@
 // attenuation differs between red, green and blue and is applied where the photon is gathered.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
+#include "shared/trigonometry.glsl"
 #include "shared/waves.glsl"
 #include "shared/intersection.glsl"
 #include "shared/sunlight.glsl"
@@ -14,9 +15,9 @@
 
 in vec2 uv;
 
-uniform int steps;
-uniform bool surfaceMovesSideways; // the waves' height shifts U by more than a part of a photon's cell
-uniform bool shadowed;
+#if WAVE_COUNT > 0
+uniform float waveWeights[WAVE_COUNT]; // what is left of each wave: the lattice cannot carry those shorter than its cells
+#endif
 
 out vec4 fragment;
 
@@ -28,14 +29,12 @@ struct SurfacePoint {
 SurfacePoint surfaceAt(vec2 x)
 {
     SurfacePoint s;
-    s.height = 0.0;
-    s.slope = vec2(0.0);
-    for (int i = 0; i < int(waveCount); ++i) {
-        // Waves that the lattice cannot carry fade, as they do in the picture.
-        vec3 term = waveFilter(waves[i], causticsBorder.z) * waveTerm(waves[i], x, time);
-        s.height += term.x;
-        s.slope += term.yz;
-    }
+    vec3 sum = vec3(0.0);
+#define WAVE(i) sum += waveWeights[i] * waveTerm(waves[i], x, time);
+    EACH_WAVE
+#undef WAVE
+    s.height = sum.x;
+    s.slope = sum.yz;
     return s;
 }
 
@@ -59,7 +58,9 @@ void main()
     SurfacePoint surface = surfaceAt(plane);
     float height = surface.height / max(1.0 - dot(surface.slope, slantAir), 0.2);
     vec2 xz = plane + slantAir * height;
-    if (surfaceMovesSideways) surface = surfaceAt(xz);
+#ifdef SURFACE_MOVES_SIDEWAYS // the waves' height shifts U by more than a part of a photon's cell
+    surface = surfaceAt(xz);
+#endif
     vec3 U = vec3(xz, waterLevel + height);
 
     vec3 n = waveNormal(surface.slope);
@@ -73,15 +74,22 @@ void main()
     vec3 first = seenBySun(U, slant);
     if (first.z < U.z) { // else the surface lies in the ground: the light of the shore's last texels
         IntersectionState s = intersectionBegin(U, refracted, first);
-        for (int i = 1; i < steps; ++i) s = intersectionStepSeen(s, seenBySun(s.W, slant));
-        // One look gives the planar approximation, as in refraction.
-        hit = steps > 1 ? s.best : s.W;
+#define STEP(i) s = intersectionStepSeen(s, seenBySun(s.W, slant));
+        EACH_STEP
+#undef STEP
+#ifdef PLANAR // a single sample of the bed's depth
+        hit = s.W;
+#else
+        hit = s.best;
+#endif
         path = distance(hit, U);
     }
 
     float light = (1.0 - fresnelExact(cosine, 1.0 / ior)) * photonShare(causticsBorder.z, causticsBorder.y);
     // A beach a hand above the level is not in the way of what enters beside it.
-    if (shadowed) light *= sunVisibility(afloatDepth, sunRect, plane, U.z, vec2(0.0), 0.1);
+#ifdef SHADOWS
+    light *= sunVisibility(afloatDepth, sunRect, plane, U.z, vec2(0.0), 0.1);
+#endif
     vec2 where = sunPlane(hit.xzy, waterLevel, slant);
     fragment = vec4((where - causticsRect.xy) / causticsRect.zw * 0.5 + 0.5, light, path);
 }

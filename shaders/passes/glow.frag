@@ -1,6 +1,7 @@
 // The sun's highlight on the water, in a small target (Mihálik 2008, section 9.3).
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
+#include "shared/trigonometry.glsl"
 #include "shared/waves.glsl"
 #include "shared/normal_map.glsl"
 #include "shared/depth.glsl"

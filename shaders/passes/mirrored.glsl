@@ -8,7 +8,6 @@
 uniform sampler2D reflectionColour;
 #ifdef ITERATIVE_REFLECTION
 uniform mat4 reflectionViewFromWorld;
-uniform int reflectionSteps;
 #else
 uniform mat4 reflectionClipFromWorld;
 uniform float reflectionDistance; // c of eq. 6
@@ -32,6 +31,16 @@ float reflectionZ(vec3 w)
     return viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
 }
 
+bool isMirroredSky(vec3 seen) { return -seen.z > 0.99 * reflectionNearFar.y; }
+
+void stepMirrored(inout IntersectionState s, inout MirrorChoice choice)
+{
+    vec3 w = s.W;
+    vec3 seen = seenThrough(w, reflectionZ(w));
+    s = intersectionStepSeen(s, seen);
+    choice = mirrorConsider(choice, w, seen, isMirroredSky(seen));
+}
+
 // miss: squared chord between the ray's direction and that of what is shown for it.
 vec2 reflectionTexel(vec3 reflected, out float miss)
 {
@@ -39,18 +48,12 @@ vec2 reflectionTexel(vec3 reflected, out float miss)
     u.z = min(u.z, -1.0e-3);
     vec3 r = normalize(mat3(reflectionViewFromWorld) * reflected);
     vec3 up = mat3(reflectionViewFromWorld) * vec3(0.0, 1.0, 0.0);
-    vec3 w = u;
     vec3 seen = seenThrough(u, reflectionZ(u));
     IntersectionState s = intersectionBegin(u, r, seen);
-    MirrorChoice choice = mirrorBegin(u, r, up);
-    for (int i = 0; i < reflectionSteps; ++i) {
-        if (i > 0) {
-            w = s.W;
-            seen = seenThrough(w, reflectionZ(w));
-            s = intersectionStepSeen(s, seen);
-        }
-        choice = mirrorConsider(choice, w, seen, -seen.z > 0.99 * reflectionNearFar.y);
-    }
+    MirrorChoice choice = mirrorConsider(mirrorBegin(u, r, up), u, seen, isMirroredSky(seen));
+#define REFLECTION_STEP(i) stepMirrored(s, choice);
+    EACH_REFLECTION_STEP
+#undef REFLECTION_STEP
     miss = mirrorMiss(choice);
     return reflectionTexelAt(mirrorChosen(choice));
 }

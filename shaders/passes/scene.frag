@@ -195,7 +195,9 @@ void main()
         radiance += albedo * transmission / lightPi * shIrradiance(skyIrradiance, -n);
 #endif
     }
-    for (int i = 0; i < int(lightCount); ++i) radiance += lampLight(lights[i], n, toEye, albedo);
+#define LIGHT(i) radiance += lampLight(lights[i], n, toEye, albedo);
+    EACH_LIGHT
+#undef LIGHT
 
 #if defined(UNDERWATER) || defined(WATERLINE)
     // What stands over the level is seen through water as far as the level (a shore behind the foot of a wave).

@@ -11,33 +11,36 @@ bool isInside(vec4 rect, vec2 plane) { return all(lessThanEqual(abs(plane - rect
 
 // The share of the sun's light that passes a map on its way to a point at height y: percentage-closer filtering
 // (Reeves et al. 1987), a box of SHADOW_TAPS - 1 texels with linear edges. Each comparison is made with the height
-// that the receiving plane has there, so that its own slope casts no shadow on it.
+// that the receiving plane has there, so that its own slope casts no shadow on it; the map's depth falls evenly with height,
+// so that it is the plane that is turned into depths, once.
 // rect: what the map covers; plane: sunPlane of the point; gradient: sunPlaneGradient of its surface.
 float sunVisibility(sampler2D map, vec4 rect, vec2 plane, float y, vec2 gradient, float bias)
 {
-    if (!isInside(rect, plane)) return 1.0; // nothing is known there
     ivec2 size = textureSize(map, 0);
-    vec2 metres = 2.0 * rect.zw / vec2(size); // of a texel
     vec2 position = sunMapUv(rect, plane) * vec2(size);
     vec2 first = position - 0.5 * float(SHADOW_TAPS - 1);
-    ivec2 corner = ivec2(floor(first));
-    vec2 part = first - vec2(corner);
+    ivec2 corner = clamp(ivec2(floor(first)), ivec2(0), size - SHADOW_TAPS);
+    float perMetre = 1.0 / (sunHeights.y - sunHeights.x); // of height, in depth; towards the sun is less
+    vec2 perTexel = gradient * (2.0 * rect.zw / vec2(size)) * perMetre;
+    float here = (sunHeights.y - y - bias) * perMetre - dot(perTexel, vec2(corner) + 0.5 - position);
     float sum = 0.0;
+#if SHADOW_TAPS > 1
+    vec2 part = clamp(first - vec2(corner), 0.0, 1.0);
+#endif
     for (int j = 0; j < SHADOW_TAPS; ++j) {
         for (int i = 0; i < SHADOW_TAPS; ++i) {
-            ivec2 cell = corner + ivec2(i, j);
-            float occluder = heightFromDepth(texelFetch(map, clamp(cell, ivec2(0), size - 1), 0).r);
-            float here = y + dot(gradient, (vec2(cell) + 0.5 - position) * metres) + bias;
+            float lit = step(here - dot(perTexel, vec2(i, j)), texelFetch(map, corner + ivec2(i, j), 0).r);
 #if SHADOW_TAPS > 1
             vec2 edge = vec2(i == 0 ? 1.0 - part.x : (i == SHADOW_TAPS - 1 ? part.x : 1.0),
                              j == 0 ? 1.0 - part.y : (j == SHADOW_TAPS - 1 ? part.y : 1.0));
-            sum += edge.x * edge.y * step(occluder, here);
+            sum += edge.x * edge.y * lit;
 #else
-            sum += step(occluder, here);
+            sum += lit;
 #endif
         }
     }
-    return sum / float(SHADOW_TAPS > 1 ? (SHADOW_TAPS - 1) * (SHADOW_TAPS - 1) : 1);
+    sum /= float(SHADOW_TAPS > 1 ? (SHADOW_TAPS - 1) * (SHADOW_TAPS - 1) : 1);
+    return isInside(rect, plane) ? sum : 1.0; // nothing is known beside the map
 }
 
 // Of a point in the air: the finest map that holds it knows (cascades, Engel 2006). SHADOW_CASCADES: bit i when what is

@@ -5,7 +5,6 @@ uniform mat4 refractionViewFromWorld;
 uniform mat4 refractionClipFromView;
 uniform vec2 refractionNearFar;
 uniform mat4 worldFromRefractionView;
-uniform int refractionSteps;
 
 vec2 refractionTexel(vec3 positionR) { return texelOf(refractionClipFromView * vec4(positionR, 1.0)); }
 
@@ -84,6 +83,12 @@ vec4 shownFor(vec3 hitW)
 // the ray. A guess is a hit already but for the error of what gave it, so that the end is looked at once more: it may lie
 // behind what the target shows there.
 #ifdef FLAT_CAMERA
+void stepFlat(inout FlatLook look, inout IntersectionState s)
+{
+    look = lookFlat(flatTexel(s.W.xzy - look.beside));
+    s = intersectionStepSeen(s, look.point.xzy);
+}
+
 // In world space. Points are written (x, z, y), so that the third coordinate, which intersection.glsl compares, is the
 // height: a refracted ray only goes down, and what lies lower is behind.
 TargetHit searchTarget(vec3 refracted, float guess)
@@ -97,10 +102,9 @@ TargetHit searchTarget(vec3 refracted, float guess)
 #ifdef ITERATIVE
         IntersectionState s = intersectionBegin(u, r, seen);
         if (guess > 0.0) s = intersectionGuess(s, guess);
-        for (int i = 1; i < refractionSteps; ++i) {
-            look = lookFlat(flatTexel(s.W.xzy - look.beside));
-            s = intersectionStepSeen(s, look.point.xzy);
-        }
+#define REFRACTION_STEP(i) stepFlat(look, s);
+        EACH_REFRACTION_STEP
+#undef REFRACTION_STEP
         s = intersectionEnd(s);
         hit = s.best;
         seen = s.bestA;
@@ -127,7 +131,9 @@ TargetHit searchTarget(vec3 refracted, float guess)
 #ifdef ITERATIVE
     IntersectionState s = intersectionBegin(u, r, firstSeen);
     if (guess > 0.0) s = intersectionGuess(s, guess);
-    for (int i = 1; i < refractionSteps; ++i) s = intersectionStep(s, refractionZ(s.W));
+#define REFRACTION_STEP(i) s = intersectionStep(s, refractionZ(s.W));
+    EACH_REFRACTION_STEP
+#undef REFRACTION_STEP
     vec3 hit = s.best;
     vec3 seen = s.bestA;
 #else

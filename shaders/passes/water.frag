@@ -2,6 +2,7 @@
 // Mihálik 2008, chapter 7. Radiance through the surface keeps the factor 1/n² (seen from above) or n² (from below).
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
+#include "shared/trigonometry.glsl"
 #include "shared/waves.glsl"
 #include "shared/normal_map.glsl"
 #include "shared/depth.glsl"
@@ -86,6 +87,31 @@ vec3 reflectedFrom(vec3 normal, vec3 toEye)
     return reflected;
 }
 
+#ifdef FACETS
+struct FacetSum {
+    vec3 radiance; // mirrored
+    float reflected;
+    float weight;
+};
+
+// Adds a facet that mirrors this radiance. frequency: how much of the surface is of its kind.
+void addFacet(inout FacetSum sum, vec3 n, float frequency, vec3 toEye, vec3 radiance)
+{
+    float facing = max(dot(toEye, n), 0.0); // nothing of a facet is seen from behind
+    float weight = frequency * facing / n.y;
+    float share = weight * fresnelShares(facing).y;
+    sum.radiance += share * radiance;
+    sum.reflected += share;
+    sum.weight += weight;
+}
+
+void addFacet(inout FacetSum sum, vec2 slope, float frequency, vec3 toEye)
+{
+    vec3 n = waveNormal(slope);
+    addFacet(sum, n, frequency, toEye, reflectedRadiance(reflectedFrom(n, toEye)));
+}
+#endif
+
 // What the surface lets through and what it mirrors, as shares, and the mirrored radiance, all of a pixel.
 //
 // FACETS: waves that a pixel cannot show still tilt its surface. Their slopes along the line of sight, which is where
@@ -95,6 +121,7 @@ vec3 reflectedFrom(vec3 normal, vec3 toEye)
 vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 shares)
 {
     shares = fresnelShares(max(dot(toEye, surface.meanNormal), 0.0)); // E·N; a crest's far side is seen edge-on
+    vec3 middle = reflectedRadiance(reflectedFrom(surface.meanNormal, toEye));
 #ifdef FACETS
 #if FACETS == 3
     const vec2 rule[3] = vec2[3](vec2(0.0, 0.6666667), vec2(1.7320508, 0.1666667), vec2(-1.7320508, 0.1666667));
@@ -106,26 +133,19 @@ vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 shares)
     if (deviation > 0.003) { // below this all facets mirror the same texel
         vec2 slope = -surface.meanNormal.xz / surface.meanNormal.y;
         vec2 across = normalize(toEye.xz + vec2(1.0e-6, 0.0));
-        vec3 sum = vec3(0.0);
-        float reflected = 0.0, weights = 0.0;
-        for (int i = 0; i < FACETS; ++i) {
-            vec3 n = waveNormal(slope + rule[i].x * deviation * across);
-            float facing = dot(toEye, n);
-            if (facing <= 0.0) continue;
-            float weight = rule[i].y * facing / n.y;
-            float share = weight * fresnelShares(facing).y;
-            sum += share * reflectedRadiance(reflectedFrom(n, toEye));
-            reflected += share;
-            weights += weight;
-        }
-        if (weights > 0.0) {
-            float mean = reflected / weights;
+        FacetSum sum = FacetSum(vec3(0.0), 0.0, 0.0);
+        addFacet(sum, surface.meanNormal, rule[0].y, toEye, middle);
+#define FACET(i) addFacet(sum, slope + rule[i + 1].x * deviation * across, rule[i + 1].y, toEye);
+        EACH_FACET
+#undef FACET
+        if (sum.weight > 0.0) {
+            float mean = sum.reflected / sum.weight;
             shares = vec2(1.0 - mean, mean);
-            return sum / weights;
+            return sum.radiance / sum.weight;
         }
     }
 #endif
-    return shares.y * reflectedRadiance(reflectedFrom(surface.meanNormal, toEye));
+    return shares.y * middle;
 }
 #endif
 

@@ -1,5 +1,6 @@
 // The water's grid, displaced by the waves.
 #include "shared/blocks.glsl"
+#include "shared/trigonometry.glsl"
 #include "shared/waves.glsl"
 #include "shared/water_grid.glsl"
 
@@ -15,7 +16,9 @@ void main()
     vec2 xz = vec2(gridPlace(waterGrid[0], line.x), gridPlace(waterGrid[1], line.y));
     vec2 cell = vec2(gridCell(waterGrid[0], line.x), gridCell(waterGrid[1], line.y));
     vec3 sum = vec3(0.0); // height and slope
-    for (int i = 0; i < int(waveCount); ++i) sum += gridTerm(waves[i], xz, cell, time);
+#define WAVE(i) sum += gridTerm(waves[i], xz, cell, time);
+    EACH_WAVE
+#undef WAVE
     drawnW = vec3(xz.x, waterLevel + sum.x, xz.y);
 #ifdef VERTEX_NORMALS
     vertexSlope = sum.yz;

@@ -1,5 +1,5 @@
 // The point U of the water's surface that a fragment shows, for the passes that draw it. Needs blocks.glsl, waves.glsl and
-// normal_map.glsl.
+// normal_map.glsl. EACH_WAVE: wave_defines.h.
 
 in vec3 drawnW; // what the grid's triangle shows
 #ifdef VERTEX_NORMALS
@@ -15,10 +15,24 @@ struct Surface {
     vec3 plainNormal; // the same as meanNormal, but for the normal map's bump factor
 };
 
-#if SURFACE_STEPS > 0
+#ifdef EACH_SURFACE_STEP
 // Newton's method along the eye's ray, from the triangle to the waves that it stands for. Never faster than twice the
 // step to a level plane, for the slope says nothing where a ray grazes a crest; and never further than a quarter of the
 // way to the eye, so that it stays on the side of the surface on which the triangle is drawn.
+// moved: m along the ray so far.
+float surfaceStep(float moved, vec3 direction, float side, float least, float most)
+{
+    vec3 sum = vec3(0.0); // height and slope
+#define WAVE(i) sum += waveTerm(waves[i], surfaceW.xz, time);
+    EACH_WAVE
+#undef WAVE
+    float gap = surfaceW.y - waterLevel - sum.x;
+    float rate = side * (direction.y - dot(sum.yz, direction.xz));
+    float next = clamp(moved - side * gap / max(rate, least), -most, most);
+    surfaceW = drawnW + next * direction;
+    return next;
+}
+
 void moveToWaves()
 {
     float far = distance(drawnW, eye);
@@ -26,14 +40,9 @@ void moveToWaves()
     float side = direction.y < 0.0 ? -1.0 : 1.0;
     float least = max(0.5 * abs(direction.y), 1.0e-3);
     float moved = 0.0;
-    for (int step = 0; step < SURFACE_STEPS; ++step) {
-        vec3 sum = vec3(0.0); // height and slope
-        for (int i = 0; i < int(waveCount); ++i) sum += waveTerm(waves[i], surfaceW.xz, time);
-        float gap = surfaceW.y - waterLevel - sum.x;
-        float rate = side * (direction.y - dot(sum.yz, direction.xz));
-        moved = clamp(moved - side * gap / max(rate, least), -0.25 * far, 0.25 * far);
-        surfaceW = drawnW + moved * direction;
-    }
+#define SURFACE_STEP(i) moved = surfaceStep(moved, direction, side, least, 0.25 * far);
+    EACH_SURFACE_STEP
+#undef SURFACE_STEP
 }
 #endif
 
@@ -73,12 +82,26 @@ void addRipples(inout Surface s)
 }
 #endif
 
+#ifndef VERTEX_NORMALS
+// A wave's slope at U, what of it a pixel with these edges (m, x and z) can show, and the variance that it cannot.
+void addSlope(WaveTerm w, vec2 across, vec2 along, inout vec2 slope, inout vec2 meanSlope, inout float roughness)
+{
+    vec2 termSlope = waveTerm(w, surfaceW.xz, time).yz;
+    slope += termSlope;
+#ifdef FILTER_WAVES
+    float weight = waveFilterOverPixel(w, across, along);
+    roughness += 0.5 * waveLostVariance(w, weight);
+    meanSlope += weight * termSlope;
+#endif
+}
+#endif
+
 Surface surfaceHere()
 {
     Surface s;
     surfaceW = drawnW;
     s.roughness = sunRoughness * sunRoughness;
-#if SURFACE_STEPS > 0
+#ifdef EACH_SURFACE_STEP
     moveToWaves();
 #endif
 #ifdef VERTEX_NORMALS
@@ -89,17 +112,9 @@ Surface surfaceHere()
     vec2 across = dFdx(drawnW.xz);
     vec2 along = dFdy(drawnW.xz);
     vec2 slope = vec2(0.0), meanSlope = vec2(0.0);
-    for (int i = 0; i < int(waveCount); ++i) {
-        WaveTerm w = waves[i];
-        vec2 termSlope = waveTerm(w, surfaceW.xz, time).yz;
-        slope += termSlope;
-#ifdef FILTER_WAVES
-        float footprint = length(vec2(dot(w.k, across), dot(w.k, along))) / max(w.wavenumber, 1.0e-6);
-        float weight = waveFilter(w, footprint);
-        s.roughness += 0.5 * waveLostVariance(w, weight);
-        meanSlope += weight * termSlope;
-#endif
-    }
+#define WAVE(i) addSlope(waves[i], across, along, slope, meanSlope, s.roughness);
+    EACH_WAVE
+#undef WAVE
     s.normal = waveNormal(slope);
     s.meanNormal = s.normal;
 #ifdef FILTER_WAVES

@@ -6,6 +6,7 @@
 // surface's upper side first, and one that begins below its lower side. Elsewhere its side is red's: along a crest's
 // silhouette rounding lets a sample of the facet behind through.
 #include "shared/blocks.glsl"
+#include "shared/trigonometry.glsl"
 #include "shared/waves.glsl"
 #include "shared/water_grid.glsl"
 

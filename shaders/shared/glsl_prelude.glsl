@@ -4,5 +4,8 @@
 // A function that both languages compile.
 #define SHARED
 
+// C++ has the library's, which are as exact as can be; a shader sums waves in every pixel.
+#define sineAndCosine sinCosTogether
+
 // A block of uniforms whose layout C++ shares: `UNIFORM_BLOCK(FrameBlock) { … };`
 #define UNIFORM_BLOCK(name) layout(std140) uniform name

@@ -1,6 +1,6 @@
 // The water surface: a sum of sines, y = sum of A sin(k·x - omega t + phase), x in the xz plane.
 //
-// Needs blocks.glsl (WaveTerm). Heights are relative to the water's level. Metres, seconds, radians.
+// Needs blocks.glsl (WaveTerm) and trigonometry.glsl. Heights are relative to the water's level. Metres, seconds, radians.
 
 // GLSL reads the uniform block's array `waves`, which cannot be a parameter without being copied for every fragment.
 // The C++ build defines this as `const WaveTerm* waves,` (src/optics/GenerateOptics.cmake).
@@ -16,8 +16,8 @@ struct WaveSample {
 SHARED vec3 waveTerm(WaveTerm w, vec2 x, float t)
 {
     float angle = dot(w.k, x) - w.omega * t + w.phase;
-    float slope = w.amplitude * cos(angle);
-    return vec3(w.amplitude * sin(angle), slope * w.k.x, slope * w.k.y);
+    vec2 sc = w.amplitude * sineAndCosine(angle);
+    return vec3(sc.x, sc.y * w.k.x, sc.y * w.k.y);
 }
 
 // What is left of a component's amplitude after averaging over a pixel that spans `footprint` metres of the surface:
@@ -27,6 +27,14 @@ SHARED float waveFilter(WaveTerm w, float footprint)
 {
     float kSigma = 0.5 * w.wavenumber * footprint;
     return exp(-0.5 * kSigma * kSigma);
+}
+
+// The same for a pixel whose edges span these vectors of the surface, x and z in m: the footprint is how much of them goes
+// along the wave.
+SHARED float waveFilterOverPixel(WaveTerm w, vec2 across, vec2 along)
+{
+    float a = dot(w.k, across), b = dot(w.k, along); // radians from pixel to pixel
+    return exp(-0.125 * (a * a + b * b));
 }
 
 // Variance of a component's slope along its direction that its weight takes away: A²k²/2 is all of it.

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "gl/context.h"
 #include "gl/format_gl.h"
+#include "gl/state.h"
 
 #include <utility>
 
@@ -79,24 +80,44 @@ void drawIntoAll(int colourCount)
     glDrawBuffers(static_cast<GLsizei>(points.size()), points.data());
 }
 
+/// What is bound in the context of this thread. Remembered, since asking OpenGL makes a threaded driver wait; all bindings
+/// of framebuffers are made in this file.
+struct Bound {
+    Name draw = 0;
+    Name read = 0;
+};
+thread_local Bound bound;
+
+void bindBoth(Name name)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    bound = {name, name};
+}
+
 /// Binds for a moment and puts back what was bound before.
 class ScopedBinding
 {
 public:
-    ScopedBinding(GLenum target, Name name) : target_(target)
+    ScopedBinding(GLenum target, Name name)
+        : target_(target), name_(target == GL_READ_FRAMEBUFFER ? bound.read : bound.draw), previous_(name_)
     {
-        const GLenum query =
-            target == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING : GL_DRAW_FRAMEBUFFER_BINDING;
-        glGetIntegerv(query, &previous_);
-        glBindFramebuffer(target, name);
+        bind(name);
     }
-    ~ScopedBinding() { glBindFramebuffer(target_, static_cast<GLuint>(previous_)); }
+    ~ScopedBinding() { bind(previous_); }
     ScopedBinding(const ScopedBinding&) = delete;
     ScopedBinding& operator=(const ScopedBinding&) = delete;
 
 private:
+    void bind(Name name)
+    {
+        if (name != name_) glBindFramebuffer(target_, name);
+        name_ = name;
+        (target_ == GL_READ_FRAMEBUFFER ? bound.read : bound.draw) = name;
+    }
+
     GLenum target_;
-    GLint previous_ = 0;
+    Name name_; ///< that is bound now
+    Name previous_;
 };
 
 std::size_t pixelCount(ivec2 size)
@@ -131,7 +152,7 @@ Framebuffer::Framebuffer(std::string label, std::span<const Attachment> attachme
     size_ = attachments.front().size();
     samples_ = attachments.front().samples();
     object_ = Object(Object::Kind::framebuffer, std::move(label));
-    glBindFramebuffer(GL_FRAMEBUFFER, object_.name());
+    bindBoth(object_.name());
     object_.announceLabel();
     for (const Attachment& a : attachments) {
         if (a.size() != size_) fail(this->label(), attachments, "the attachments differ in size");
@@ -160,30 +181,53 @@ Framebuffer Framebuffer::window(ivec2 size)
     return result;
 }
 
+Framebuffer::~Framebuffer()
+{
+    forget();
+}
+
+Framebuffer& Framebuffer::operator=(Framebuffer&& other) noexcept
+{
+    forget();
+    object_ = std::move(other.object_);
+    windowLabel_ = std::move(other.windowLabel_);
+    size_ = other.size_;
+    samples_ = other.samples_;
+    colourCount_ = other.colourCount_;
+    hasDepth_ = other.hasDepth_;
+    return *this;
+}
+
+/// OpenGL binds the window's where the one that is deleted was bound.
+void Framebuffer::forget() const
+{
+    if (!object_) return;
+    if (bound.draw == object_.name()) bound.draw = 0;
+    if (bound.read == object_.name()) bound.read = 0;
+}
+
 void Framebuffer::bind() const
 {
-    glBindFramebuffer(GL_FRAMEBUFFER, object_.name());
+    bindBoth(object_.name());
     glViewport(0, 0, size_.x, size_.y);
 }
 
 void Framebuffer::clearColour(const vec4& value, int output) const
 {
     const ScopedBinding binding(GL_DRAW_FRAMEBUFFER, object_.name());
-    GLboolean mask[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, mask);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const bool isMasked = !writeMasks().colour;
+    if (isMasked) glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearBufferfv(GL_COLOR, output, &value.x);
-    glColorMask(mask[0], mask[1], mask[2], mask[3]);
+    if (isMasked) glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
 }
 
 void Framebuffer::clearDepth(float value) const
 {
     const ScopedBinding binding(GL_DRAW_FRAMEBUFFER, object_.name());
-    GLboolean mask = GL_TRUE;
-    glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
-    glDepthMask(GL_TRUE);
+    const bool isMasked = !writeMasks().depth;
+    if (isMasked) glDepthMask(GL_TRUE);
     glClearBufferfv(GL_DEPTH, 0, &value);
-    glDepthMask(mask);
+    if (isMasked) glDepthMask(GL_FALSE);
 }
 
 void Framebuffer::blitTo(const Framebuffer& destination, const Copy& copy) const

@@ -57,6 +57,9 @@ class Framebuffer
 {
 public:
     Framebuffer() = default;
+    ~Framebuffer();
+    Framebuffer(Framebuffer&&) noexcept = default;
+    Framebuffer& operator=(Framebuffer&& other) noexcept;
     /// Colours become outputs 0, 1, 2 … in their order; at most one depth. The attachments must outlive it.
     /// Throws Error when OpenGL cannot draw into the combination.
     Framebuffer(std::string label, std::span<const Attachment> attachments);
@@ -101,6 +104,7 @@ public:
 
 private:
     void beginRead(int output) const;
+    void forget() const;
 
     Object object_;
     std::string windowLabel_ = "window";

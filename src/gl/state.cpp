@@ -10,6 +10,8 @@ namespace tarn::gl
 namespace
 {
 
+thread_local WriteMasks masks; // as OpenGL's own state, of the context that is current in this thread
+
 void enable(GLenum what, bool on)
 {
     if (on)
@@ -66,6 +68,7 @@ void applyBlend(const State& state)
 
 void apply(const State& state)
 {
+    masks = {state.colourWrite, state.depthWrite};
     applyDepth(state);
     applyFaces(state);
     applyBlend(state);
@@ -80,6 +83,11 @@ void apply(const State& state)
     if (const auto& rect = state.scissor) glScissor(rect->lower.x, rect->lower.y, rect->size.x, rect->size.y);
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_DITHER);
+}
+
+WriteMasks writeMasks()
+{
+    return masks;
 }
 
 } // namespace tarn::gl

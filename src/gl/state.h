@@ -42,4 +42,11 @@ struct State {
 /// filtering across the edges of cube maps, rows of pixels packed.
 void apply(const State& state);
 
+/// What of the last applied State may be written. Remembered, since asking OpenGL makes a threaded driver wait.
+struct WriteMasks {
+    bool colour = true;
+    bool depth = true;
+};
+WriteMasks writeMasks();
+
 } // namespace tarn::gl

@@ -3,6 +3,7 @@
 #include "gl/context.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tarn::gl
 {
@@ -65,14 +66,29 @@ void Target::buildMultisampled()
     multisampled_ = Framebuffer(label_ + " multisampled", attachments);
 }
 
+const Framebuffer& Target::drawFramebuffer() const
+{
+    colourIsStale_ = depthIsStale_ = isMultisampled();
+    return isMultisampled() ? multisampled_ : resolved_;
+}
+
 void Target::resolve() const
 {
-    if (!isMultisampled()) return;
-    const int count = multisampled_.colourCount();
-    for (int i = 0; i < count; ++i) {
-        multisampled_.blitTo(resolved_, {.colour = true, .depth = i == 0 && hasDepth(), .output = i});
-    }
-    if (count == 0) multisampled_.blitTo(resolved_, {.colour = false, .depth = true});
+    resolveColour();
+    resolveDepth();
+}
+
+void Target::resolveColour() const
+{
+    if (!std::exchange(colourIsStale_, false)) return;
+    for (int i = 0; i < multisampled_.colourCount(); ++i)
+        multisampled_.blitTo(resolved_, {.colour = true, .depth = false, .output = i});
+}
+
+void Target::resolveDepth() const
+{
+    if (!std::exchange(depthIsStale_, false) || !hasDepth()) return;
+    multisampled_.blitTo(resolved_, {.colour = false, .depth = true});
 }
 
 } // namespace tarn::gl

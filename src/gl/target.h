@@ -42,11 +42,14 @@ public:
     /// Draw here from now on.
     void bind() const { drawFramebuffer().bind(); }
     /// The framebuffer that is drawn into: clear this one.
-    const Framebuffer& drawFramebuffer() const { return isMultisampled() ? multisampled_ : resolved_; }
+    const Framebuffer& drawFramebuffer() const;
     /// The framebuffer of the textures.
     const Framebuffer& framebuffer() const { return resolved_; }
-    /// Brings the samples into the textures. Nothing to do, and nothing done, with one sample.
+    /// Brings the samples into the textures, all of them or only what is read. Nothing is done with one sample, or where
+    /// nobody asked for the framebuffer that is drawn into since the last time.
     void resolve() const;
+    void resolveColour() const;
+    void resolveDepth() const;
 
     const Texture& colour(int index = 0) const { return colours_.at(static_cast<std::size_t>(index)); }
     Texture& colour(int index = 0) { return colours_.at(static_cast<std::size_t>(index)); }
@@ -73,6 +76,7 @@ private:
     std::vector<Renderbuffer> buffers_;
     Framebuffer resolved_;
     Framebuffer multisampled_;
+    mutable bool colourIsStale_ = false, depthIsStale_ = false; ///< the textures
 };
 
 } // namespace tarn::gl

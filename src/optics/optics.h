@@ -12,6 +12,8 @@
 #include "base/math.h"
 #include "optics/blocks.h"
 
+#include <cmath>
+
 namespace tarn
 {
 
@@ -33,6 +35,14 @@ using glm::floor; using glm::length; using glm::log; using glm::max; using glm::
 using glm::pow; using glm::sin; using glm::sqrt;
 } // namespace optics64
 // clang-format on
+
+// What shaders take from trigonometry.glsl.
+namespace optics {
+inline vec2 sineAndCosine(float angle) { return {std::sin(angle), std::cos(angle)}; }
+} // namespace optics
+namespace optics64 {
+inline dvec2 sineAndCosine(double angle) { return {std::sin(angle), std::cos(angle)}; }
+} // namespace optics64
 
 } // namespace tarn
 

@@ -2,6 +2,7 @@
 
 #include "optics/optics.h"
 #include "optics/waves.h"
+#include "render/unrolled.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ blocks::FrameBlock frameBlock(const Scene& scene, const WaterBody& water, const 
     block.ior = water.ior;
     block.hasWater = water.present && options.water.enabled ? 1.0f : 0.0f;
     block.absorption = water.absorption;
-    block.waveCount = static_cast<float>(std::min<std::size_t>(water.waves.size(), blocks::maxWaves));
+    block.waveCount = static_cast<float>(drawnWaveCount(water));
     block.sunRoughness = options.water.sunRoughness;
     block.waterRect = vec4(water.centre, 0.5f * water.extent);
     for (std::size_t i = 0; i < 9; ++i) block.skyIrradiance[i] = vec4(sky.irradianceCoefficients()[i], 0.0f);
@@ -68,11 +69,20 @@ bool sameLight(const blocks::FrameBlock& a, const blocks::FrameBlock& b)
     return std::memcmp(&a, &b, sizeof a) == 0; // floats, whose padding has names and is zero
 }
 
+int drawnLightCount(const Scene& scene)
+{
+    return static_cast<int>(std::min<std::size_t>(scene.pointLights.size() + scene.spotLights.size(), blocks::maxLights));
+}
+
+int drawnWaveCount(const WaterBody& water)
+{
+    return static_cast<int>(std::min<std::size_t>(water.waves.size(), blocks::maxWaves));
+}
+
 blocks::WavesBlock wavesBlock(const WaterBody& water, double time)
 {
     blocks::WavesBlock block{};
-    const std::size_t count = std::min<std::size_t>(water.waves.size(), blocks::maxWaves);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(drawnWaveCount(water)); ++i) {
         const Wave& wave = water.waves[i];
         block.waves[i] = optics64::waveTermAt(
             optics64::makeWaveTerm(wave.amplitude, wave.wavelength, wave.direction, wave.phase, wave.period), time);

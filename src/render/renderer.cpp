@@ -22,6 +22,7 @@
 #include "render/passes/waterline.h"
 #include "render/read_back.h"
 #include "render/sun_stage.h"
+#include "render/unrolled.h"
 #include "render/water_targets.h"
 
 #include <fmt/format.h>
@@ -440,6 +441,7 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .reflectionView = &side.reflectionView,
                              .skyMap = gpuScene.skyMap(),
                              .ior = water.ior,
+                             .waveCount = drawnWaveCount(water),
                              .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                              .underwater = isBelow,
                              .view = input.view};
@@ -474,11 +476,12 @@ void Renderer::State::drawGlow(const FrameInput& input)
 {
     if (wantsRawValues(input.view)) return;
     gl::PassScope scope(drawing.profiler, passName(PassId::glow));
-    frame.resolve(); // for its depth
+    frame.resolveDepth();
     const ivec2 size = plan()[PassId::glow].size;
     FrameStats::Pass& pass = drawing.beginPass(PassId::glow, main, size);
     glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(),
                            .size = size,
+                           .waveCount = drawnWaveCount(water),
                            .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                            .ifSeen = plan().rule(RuleId::waterHidden).applies ? &slab : nullptr},
                           pass);
@@ -514,7 +517,8 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
 void Renderer::State::present(const FrameInput& input)
 {
     gl::PassScope scope(drawing.profiler, passName(PassId::present));
-    frame.resolve();
+    frame.resolveColour();
+    if (input.view == DebugView::sceneDepth) frame.resolveDepth();
     shown = &selectShown(input);
     presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view);
     drawing.check(PassId::present, presentPass.target());

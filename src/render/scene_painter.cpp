@@ -1,6 +1,7 @@
 #include "render/scene_painter.h"
 
 #include "gl/state.h"
+#include "render/unrolled.h"
 
 namespace tarn {
 
@@ -77,6 +78,7 @@ ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders) : 
 {
     for (const Instance& instance : scene.instances())
         worldFromModelNormal_.push_back(glm::transpose(glm::inverse(mat3(instance.worldFromModel))));
+    lightCount_ = drawnLightCount(scene.scene());
     setWater(scene.scene().water.present ? &scene.scene().water : nullptr);
 }
 
@@ -146,6 +148,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
         gl::Defines defines = definesOf(bits);
         if (taps > 0) defines.emplace_back("SHADOW_TAPS", std::to_string(taps));
         const bool shapeOnly = (bits & depthOnly) != 0;
+        if (!shapeOnly) defines.push_back(unrolled("EACH_LIGHT", "LIGHT", lightCount_, lightCount_));
         program = shaders_.program(shapeOnly ? "sunlight" : "scene", "passes/scene.vert",
                                    shapeOnly ? "passes/sunlight.frag" : "passes/scene.frag", defines);
     }

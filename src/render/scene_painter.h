@@ -84,6 +84,7 @@ private:
     gl::ShaderLibrary& shaders_;
     std::vector<Medium> media_; ///< per chunk
     const WaterBody* water_ = nullptr;
+    int lightCount_ = 0; ///< point and spot lights
     SunMaps sunMaps_;
     std::map<std::pair<unsigned, int>, std::shared_ptr<gl::Program>> scenePrograms_; ///< by features and taps
     std::map<unsigned, std::shared_ptr<gl::Program>> skyPrograms_;

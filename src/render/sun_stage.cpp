@@ -1,6 +1,8 @@
 #include "render/sun_stage.h"
 
+#include "optics/optics.h"
 #include "render/bindings.h"
+#include "render/unrolled.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,15 @@ bool movesSideways(const WaterBody& water, const vec3& toSun, float cellEdge)
 {
     const float slant = std::sqrt(toSun.x * toSun.x + toSun.z * toSun.z) / toSun.y;
     return totalAmplitude(water) * slant > 0.25f * cellEdge;
+}
+
+/// What a lattice of cells of this edge (m) can carry of each wave; shorter ones fade, as they do in the picture.
+std::vector<float> waveWeights(const blocks::WavesBlock& waves, int count, float cellEdge)
+{
+    std::vector<float> weights;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        weights.push_back(optics::waveFilter(waves.waves[i], cellEdge));
+    return weights;
 }
 
 } // namespace
@@ -104,7 +115,8 @@ void SunStage::drawCaustics(const Inputs& inputs, Drawing& drawing)
                        {.submergedDepth = sunlight_.depth(SunLayer::submerged),
                         .afloatDepth = inputs.options.sunlight.shadows ? &afloat : nullptr,
                         .absorption = inputs.water.absorption,
-                        .surfaceMovesSideways = movesSideways(inputs.water, inputs.light.sunDirection, cell)},
+                        .surfaceMovesSideways = movesSideways(inputs.water, inputs.light.sunDirection, cell),
+                        .waveWeights = waveWeights(inputs.waves, drawnWaveCount(inputs.water), cell)},
                        drawing.stats.of(passName(PassId::caustics)));
     drawing.kept.causticsWereDrawn();
     drawing.check(PassId::caustics, drawn);

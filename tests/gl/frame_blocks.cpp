@@ -2,6 +2,7 @@
 #include "gl/shader_library.h"
 #include "optics/blocks.h"
 #include "render/renderer.h"
+#include "render/unrolled.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ TEST(FrameBlocks, TheDriversOffsetsAreCpps)
     using namespace blocks;
     const auto shaders = makeShaderLibrary();
     const auto program = shaders->program("water", "passes/water.vert", "passes/water.frag",
-                                          {{"DEBUG_VIEW", "0"}, {"FILTER_WAVES", "1"}});
+                                          {{"DEBUG_VIEW", "0"}, {"FILTER_WAVES", "1"}, eachWave(2)});
     expectLayout(*program, "FrameBlock", sizeof(FrameBlock),
                  {{"sunDirection", offsetof(FrameBlock, sunDirection)},
                   {"time", offsetof(FrameBlock, time)},
@@ -72,7 +73,8 @@ TEST(FrameBlocks, TheDriversOffsetsAreCpps)
                   {"waves[0].amplitude", offsetof(WaveTerm, amplitude)},
                   {"waves[1].wavenumber", sizeof(WaveTerm) + offsetof(WaveTerm, wavenumber)}});
     const auto photons =
-        shaders->program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag");
+        shaders->program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag",
+                         {{"WAVE_COUNT", "1"}, eachWave(1), {"EACH_STEP", ""}});
     expectLayout(*photons, "SunBlock", sizeof(SunBlock),
                  {{"sunRect", offsetof(SunBlock, sunRect)},
                   {"sunRectsBeyond[0]", offsetof(SunBlock, sunRectsBeyond)},

@@ -73,7 +73,7 @@ protected:
     {
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
-             {"blocks", "refraction", "fresnel_table", "depth", "waves", "normal_map", "intersection", "reflection", "lighting",
+             {"blocks", "refraction", "fresnel_table", "depth", "trigonometry", "waves", "normal_map", "intersection", "reflection", "lighting",
               "tonemap", "anaglyph", "sunlight"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
@@ -339,6 +339,7 @@ TEST_F(OpticsGl, WavesOneByOne)
     const std::string sine = std::string("vec4(waveTerm(") + glsl + ", 10.0 * b.xz, 7.0 * c.y), 0.0)";
     const std::string filter = std::string("vec4(waveFilter(") + glsl + ", 2.0 * b.w), waveLostVariance(" +
                                glsl + ", c.w), 0.0, 0.0)";
+    const std::string overPixel = std::string("vec4(waveFilterOverPixel(") + glsl + ", 0.5 * b.xz, 0.5 * c.zx))";
     check({
         // An angle of 70 rad is rounded to 4e-6.
         {"waveTerm", sine.c_str(),
@@ -346,6 +347,12 @@ TEST_F(OpticsGl, WavesOneByOne)
              return wide(waveTerm(term(i), 10.0f * vec2(i.b.x, i.b.z), 7.0f * i.c.y));
          },
          1e-5f},
+        {"sinCosTogether", "vec4(sinCosTogether(20.0 * b.x), sinCosTogether(0.1 * b.z))",
+         [](const Inputs& i) { return vec4(sinCosTogether(20.0f * i.b.x), sinCosTogether(0.1f * i.b.z)); }, 2e-6f},
+        {"waveFilterOverPixel", overPixel.c_str(),
+         [term](const Inputs& i) {
+             return vec4(waveFilterOverPixel(term(i), 0.5f * vec2(i.b.x, i.b.z), 0.5f * vec2(i.c.z, i.c.x)));
+         }},
         {"waveFilter", filter.c_str(),
          [term](const Inputs& i) {
              return vec4(waveFilter(term(i), 2.0f * i.b.w), waveLostVariance(term(i), i.c.w), 0, 0);

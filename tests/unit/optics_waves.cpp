@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -32,6 +33,31 @@ std::vector<optics::WaveTerm> narrowed(const std::vector<optics64::WaveTerm>& wa
         result.push_back(
             {vec2(w.k), float(w.omega), float(w.phase), float(w.amplitude), float(w.wavenumber), 0.0f, 0.0f});
     return result;
+}
+
+// shaders/shared/trigonometry.glsl states both bounds.
+TEST(Trigonometry, SineAndCosineTogetherAreWithinTheirBound)
+{
+    double worst = 0.0, worst64 = 0.0;
+    for (int i = -200000; i <= 200000; ++i) {
+        const float angle = 1e-4f * static_cast<float>(i);
+        const vec2 pair = optics::sinCosTogether(angle);
+        const dvec2 pair64 = optics64::sinCosTogether(static_cast<double>(angle));
+        const double s = std::sin(static_cast<double>(angle)), c = std::cos(static_cast<double>(angle));
+        worst = std::max({worst, std::abs(static_cast<double>(pair.x) - s), std::abs(static_cast<double>(pair.y) - c)});
+        worst64 = std::max({worst64, std::abs(pair64.x - s), std::abs(pair64.y - c)});
+    }
+    EXPECT_LT(worst64, 1e-8) << "of the polynomials";
+    EXPECT_LT(worst, 2e-6) << "with float's rounding of the angle";
+}
+
+// A pixel's footprint along the wave, and two waves across it that it does not shorten.
+TEST(Waves, APixelFiltersWhatItsEdgesSpanOfAWave)
+{
+    const auto wave = optics64::makeWaveTerm(0.05, 2.0, 0.7, 0.0);
+    const dvec2 along = dvec2(std::cos(0.7), std::sin(0.7)), across(-along.y, along.x);
+    EXPECT_NEAR(optics64::waveFilterOverPixel(wave, 0.3 * along, 5.0 * across), optics64::waveFilter(wave, 0.3), 1e-12);
+    EXPECT_NEAR(optics64::waveFilterOverPixel(wave, 0.3 * along, 0.4 * along), optics64::waveFilter(wave, 0.5), 1e-12);
 }
 
 TEST(Waves, SlopeIsTheDerivativeOfTheHeight)

@@ -2,8 +2,11 @@
 
 #include "gl/state.h"
 #include "optics/optics.h"
+#include "render/unrolled.h"
 
 #include <cmath>
+#include <span>
+#include <string>
 
 namespace tarn {
 
@@ -31,20 +34,32 @@ const gl::Target& CausticsPass::draw(const CausticsOptions& options, const Input
     return filtered_;
 }
 
+gl::Program& CausticsPass::photonProgram(const CausticsOptions& options, const Inputs& inputs)
+{
+    constexpr int mostWrittenOut = 8;
+    const int waves = static_cast<int>(inputs.waveWeights.size());
+    gl::Defines defines{{"WAVE_COUNT", std::to_string(waves)},
+                        eachWave(waves),
+                        unrolled("EACH_STEP", "STEP", options.steps - 1, mostWrittenOut)};
+    if (options.steps == 1) defines.emplace_back("PLANAR", "1");
+    if (inputs.surfaceMovesSideways) defines.emplace_back("SURFACE_MOVES_SIDEWAYS", "1");
+    if (inputs.afloatDepth) defines.emplace_back("SHADOWS", "1");
+    auto& program = photonPrograms_[defines];
+    if (!program)
+        program = shaders_.program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag", defines);
+    return *program;
+}
+
 void CausticsPass::castPhotons(const CausticsOptions& options, const Inputs& inputs)
 {
-    if (!photonProgram_)
-        photonProgram_ =
-            shaders_.program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag");
+    gl::Program& program = photonProgram(options, inputs);
     photons_.ensure({.size = ivec2(options.photons), .colours = {gl::Format::rgba32f}, .filter = gl::Filter::nearest});
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
     photons_.bind();
-    photonProgram_->use();
-    photonProgram_->texture("submergedDepth", inputs.submergedDepth);
-    photonProgram_->texture("afloatDepth", inputs.afloatDepth ? *inputs.afloatDepth : inputs.submergedDepth);
-    photonProgram_->set("shadowed", inputs.afloatDepth != nullptr);
-    photonProgram_->set("surfaceMovesSideways", inputs.surfaceMovesSideways);
-    photonProgram_->set("steps", options.steps);
+    program.use();
+    program.texture("submergedDepth", inputs.submergedDepth);
+    if (inputs.afloatDepth) program.texture("afloatDepth", *inputs.afloatDepth);
+    if (!inputs.waveWeights.empty()) program.setArray("waveWeights", std::span<const float>(inputs.waveWeights));
     triangle_.draw();
 }
 
@@ -139,16 +154,32 @@ void CausticsPass::gatherMesh(const CausticsOptions& options, FrameStats::Pass& 
 
 void CausticsPass::filter(const CausticsOptions& options)
 {
-    if (!filterProgram_)
-        filterProgram_ = shaders_.program("caustics filter", "passes/fullscreen.vert", "passes/caustics_filter.frag");
-    filtered_.ensure({.size = ivec2(options.textureSize), .colours = {gl::Format::rgba16f}, .mipmaps = true});
+    const ivec2 size(options.textureSize);
+    filteredAcross_.ensure({.size = size, .colours = {gl::Format::rgba32f}, .filter = gl::Filter::nearest});
+    filtered_.ensure({.size = size, .colours = {gl::Format::rgba16f}, .mipmaps = true});
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
-    filtered_.bind();
-    filterProgram_->use();
-    filterProgram_->texture("source", gathered_.colour());
-    filterProgram_->set("radius", options.filter);
-    triangle_.draw();
+    const auto along = [&](const char* axis, const gl::Texture& source, const gl::Target& target) {
+        gl::Program& program = filterProgram(axis, options.filter);
+        target.bind();
+        program.use();
+        program.texture("source", source);
+        triangle_.draw();
+    };
+    along("ivec2(1, 0)", gathered_.colour(), filteredAcross_);
+    along("ivec2(0, 1)", filteredAcross_.colour(), filtered_);
     filtered_.colour().generateMipmaps();
+}
+
+gl::Program& CausticsPass::filterProgram(const char* axis, int radius)
+{
+    const gl::Defines defines{{"AXIS", axis},
+                              {"RADIUS", std::to_string(radius)},
+                              unrolled("EACH_TAP", "TAP", 2 * radius + 1, 2 * radius + 1)};
+    auto& program = filterPrograms_[defines];
+    if (!program)
+        program =
+            shaders_.program("caustics filter", "passes/fullscreen.vert", "passes/caustics_filter.frag", defines);
+    return *program;
 }
 
 } // namespace tarn

@@ -14,6 +14,7 @@
 
 #include <map>
 #include <memory>
+#include <vector>
 
 namespace tarn {
 
@@ -26,6 +27,7 @@ public:
         const gl::Texture* afloatDepth;    ///< null: nothing stands in the light
         vec3 absorption;                   ///< 1/m, for the method that works on the processor
         bool surfaceMovesSideways = true;  ///< waves shift the photons' start by more than a part of a cell
+        std::vector<float> waveWeights{};  ///< of each wave: what of it a lattice of photons can carry
     };
 
     /// FrameBlock, WavesBlock and SunBlock must be bound. The texture has mipmaps.
@@ -37,22 +39,26 @@ public:
     const gl::Target& gathered() const { return gathered_; }
 
 private:
+    gl::Program& photonProgram(const CausticsOptions& options, const Inputs& inputs);
     void castPhotons(const CausticsOptions& options, const Inputs& inputs);
     void gatherOnProcessor(const CausticsOptions& options, const vec3& absorption);
     void gatherPoints(const CausticsOptions& options, FrameStats::Pass& stats);
     void gatherMesh(const CausticsOptions& options, FrameStats::Pass& stats);
     void filter(const CausticsOptions& options);
+    /// @param axis of the texture, as the shader writes it
+    gl::Program& filterProgram(const char* axis, int radius);
     gl::Program& gatherProgram(CausticsOptions::Method method);
 
     gl::ShaderLibrary& shaders_;
     gl::Target photons_{"caustics photons"};
     gl::Target gathered_{"caustics gathered"};
+    gl::Target filteredAcross_{"caustics filtered across"};
     gl::Target filtered_{"caustics"};
     gl::FullscreenTriangle triangle_;
     gl::Buffer photonBuffer_;
     gl::VertexArray photonPoints_; ///< over photonBuffer_
     gl::VertexArray bare_;         ///< no attributes: photons are fetched
-    std::shared_ptr<gl::Program> photonProgram_, filterProgram_;
+    std::map<gl::Defines, std::shared_ptr<gl::Program>> photonPrograms_, filterPrograms_;
     std::map<CausticsOptions::Method, std::shared_ptr<gl::Program>> gatherPrograms_;
 };
 

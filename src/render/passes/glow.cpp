@@ -1,18 +1,19 @@
 #include "render/passes/glow.h"
 
 #include "gl/state.h"
+#include "render/unrolled.h"
 
 #include <optional>
 
 namespace tarn {
 
-gl::Program& GlowPass::highlightProgram(const WaterOptions& options, bool hasNormalMap)
+gl::Program& GlowPass::highlightProgram(const WaterOptions& options, const Inputs& inputs)
 {
-    gl::Defines defines;
+    gl::Defines defines{eachWave(inputs.waveCount)};
     if (options.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
-    if (hasNormalMap) defines.emplace_back("NORMAL_MAP", "1");
-    defines.emplace_back("SURFACE_STEPS", std::to_string(options.surfaceSteps));
+    if (inputs.normalMap) defines.emplace_back("NORMAL_MAP", "1");
+    addSurfaceSteps(defines, options.surfaceSteps);
     auto& program = programs_[defines];
     if (!program) program = shaders_.program("glow", "passes/water.vert", "passes/glow.frag", defines);
     return *program;
@@ -25,7 +26,7 @@ const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const 
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
     highlight_.bind();
     highlight_.drawFramebuffer().clearColour(vec4(0.0f));
-    gl::Program& p = highlightProgram(options.water, static_cast<bool>(inputs.normalMap));
+    gl::Program& p = highlightProgram(options.water, inputs);
     p.use();
     p.texture("sceneDepth", inputs.sceneDepth);
     p.set("glowColour", options.glow.strength * options.glow.colour);

@@ -21,6 +21,7 @@ public:
     struct Inputs {
         const gl::Texture& sceneDepth; ///< of the picture, water included; its ViewBlock must hold the glow's size
         ivec2 size;                    ///< of the glow's target, pixels
+        int waveCount = 0;
         NormalMapInputs normalMap{};
         const gl::VisibilityQuery* ifSeen = nullptr; ///< whether anything of the water may be seen; null: it may
     };
@@ -32,7 +33,7 @@ public:
     const gl::Target& blur(const gl::Texture& source);
 
 private:
-    gl::Program& highlightProgram(const WaterOptions& options, bool hasNormalMap);
+    gl::Program& highlightProgram(const WaterOptions& options, const Inputs& inputs);
 
     gl::ShaderLibrary& shaders_;
     gl::Target highlight_{"glow highlight"};

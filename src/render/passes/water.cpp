@@ -1,6 +1,7 @@
 #include "render/passes/water.h"
 
 #include "gl/state.h"
+#include "render/unrolled.h"
 
 namespace tarn {
 
@@ -85,7 +86,7 @@ bool readsFresnelTable(const Options& options, const WaterPass::Inputs& inputs)
 
 gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
 {
-    gl::Defines defines{{"DEBUG_VIEW", std::to_string(debugCode(inputs.view))}};
+    gl::Defines defines{{"DEBUG_VIEW", std::to_string(debugCode(inputs.view))}, eachWave(inputs.waveCount)};
     if (inputs.underwater) defines.emplace_back("UNDERWATER", "1");
     if (inputs.underwater && options.underwater.refraction == UnderwaterOptions::Refraction::paper)
         defines.emplace_back("PAPER", "1");
@@ -103,16 +104,26 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
     if (!options.water.reflects) defines.emplace_back("NO_REFLECTION", "1");
     if (inputs.normalMap) defines.emplace_back("NORMAL_MAP", "1");
-    defines.emplace_back("SURFACE_STEPS", std::to_string(options.water.surfaceSteps));
+    addSurfaceSteps(defines, options.water.surfaceSteps);
     if (options.water.fresnel == WaterOptions::Fresnel::exact) defines.emplace_back("EXACT_FRESNEL", "1");
     if (readsFresnelTable(options, inputs))
         defines.emplace_back("FRESNEL_TABLE",
                              options.water.fresnelFilter == optics::TableFilter::linear ? "true" : "false");
     if ((inputs.refraction || inputs.bed) && fadesLinearly(options, inputs)) defines.emplace_back("LINEAR_ATTENUATION", "1");
     if (showsPhong(options, inputs)) defines.emplace_back("PHONG", "1");
-    if (searchesReflection(options, inputs)) defines.emplace_back("ITERATIVE_REFLECTION", "1");
+    constexpr int mostSteps = 8;
+    if (inputs.refraction)
+        defines.push_back(unrolled("EACH_REFRACTION_STEP", "REFRACTION_STEP", options.refraction.steps - 1, mostSteps));
+    if (searchesReflection(options, inputs)) {
+        defines.emplace_back("ITERATIVE_REFLECTION", "1");
+        defines.push_back(unrolled("EACH_REFLECTION_STEP", "REFLECTION_STEP", options.reflection.steps - 1, mostSteps));
+    }
     if (!inputs.underwater && options.water.reflects && options.reflection.facets != ReflectionOptions::Facets::one)
-        defines.emplace_back("FACETS", options.reflection.facets == ReflectionOptions::Facets::three ? "3" : "5");
+    {
+        const int facets = options.reflection.facets == ReflectionOptions::Facets::three ? 3 : 5;
+        defines.emplace_back("FACETS", std::to_string(facets));
+        defines.push_back(unrolled("EACH_FACET", "FACET", facets - 1, facets)); // beside the one in the middle
+    }
     auto& program = programs_[defines];
     if (!program) program = shaders_.program("water", "passes/water.vert", "passes/water.frag", defines);
     return *program;
@@ -146,7 +157,6 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         if (view.flatWater) p.texture("refractionShown", inputs.refraction->colour(1));
         p.set("worldFromRefractionView", glm::inverse(view.viewFromWorld));
         p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
-        p.set("refractionSteps", options.refraction.steps);
     }
     if ((inputs.refraction || inputs.bed) && fadesLinearly(options, inputs))
         p.set("attenuationLength", options.water.attenuationLength);
@@ -172,7 +182,6 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         }
         if (searches) {
             p.set("reflectionViewFromWorld", view.viewFromWorld);
-            p.set("reflectionSteps", options.reflection.steps);
         }
         if (inputs.view == DebugView::reflectionHit)
             p.set("worldFromReflectionView", glm::inverse(view.viewFromWorld));

@@ -38,6 +38,7 @@ public:
         const View* reflectionView = nullptr;
         const gl::Texture& skyMap;
         float ior = 1.33f;       ///< of the water
+        int waveCount = 0;
         NormalMapInputs normalMap{};
         bool underwater = false; ///< the surface is seen from below
         std::optional<WaterGrid::Sight> sight{}; ///< what of the grid is seen; empty: all of it is drawn
