@@ -69,8 +69,7 @@ TEST(GlFramebuffer, ClearsOneOutputWhateverTheMasksAre)
     const Framebuffer framebuffer("two outputs", {first, second, depth});
     framebuffer.clearColour(vec4(1, 2, 3, 4), 0);
     framebuffer.clearColour(vec4(5, 6, 7, 8), 1);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glDepthMask(GL_FALSE);
+    apply({.depthWrite = false, .colourWrite = false});
     framebuffer.clearColour(vec4(-1.0f), 1);
     framebuffer.clearDepth(0.125f);
     GLboolean mask = GL_TRUE;
@@ -82,8 +81,7 @@ TEST(GlFramebuffer, ClearsOneOutputWhateverTheMasksAre)
     EXPECT_EQ(framebuffer.readFloats(1), std::vector<float>(16, -1.0f));
     EXPECT_EQ(framebuffer.readDepth(), std::vector<float>(4, 0.125f));
     EXPECT_THROW(framebuffer.readFloats(2), Error);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
+    apply({});
 }
 
 TEST(GlFramebuffer, BytesAreClamped)
