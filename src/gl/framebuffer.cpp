@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "gl/context.h"
+#include "gl/counters.h"
 #include "gl/format_gl.h"
 
 #include <utility>
@@ -87,10 +88,16 @@ public:
     {
         const GLenum query =
             target == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING : GL_DRAW_FRAMEBUFFER_BINDING;
+        count(Call::stateQuery);
         glGetIntegerv(query, &previous_);
+        count(Call::framebufferBind);
         glBindFramebuffer(target, name);
     }
-    ~ScopedBinding() { glBindFramebuffer(target_, static_cast<GLuint>(previous_)); }
+    ~ScopedBinding()
+    {
+        count(Call::framebufferBind);
+        glBindFramebuffer(target_, static_cast<GLuint>(previous_));
+    }
     ScopedBinding(const ScopedBinding&) = delete;
     ScopedBinding& operator=(const ScopedBinding&) = delete;
 
@@ -131,6 +138,7 @@ Framebuffer::Framebuffer(std::string label, std::span<const Attachment> attachme
     size_ = attachments.front().size();
     samples_ = attachments.front().samples();
     object_ = Object(Object::Kind::framebuffer, std::move(label));
+    count(Call::framebufferBind);
     glBindFramebuffer(GL_FRAMEBUFFER, object_.name());
     object_.announceLabel();
     for (const Attachment& a : attachments) {
@@ -147,6 +155,7 @@ Framebuffer::Framebuffer(std::string label, std::span<const Attachment> attachme
     }
     drawIntoAll(colourCount_);
     glReadBuffer(colourCount_ > 0 ? GL_COLOR_ATTACHMENT0 : GL_NONE);
+    count(Call::stateQuery);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) fail(this->label(), attachments, statusText(status));
 }
@@ -162,6 +171,7 @@ Framebuffer Framebuffer::window(ivec2 size)
 
 void Framebuffer::bind() const
 {
+    count(Call::framebufferBind);
     glBindFramebuffer(GL_FRAMEBUFFER, object_.name());
     glViewport(0, 0, size_.x, size_.y);
 }
@@ -170,8 +180,10 @@ void Framebuffer::clearColour(const vec4& value, int output) const
 {
     const ScopedBinding binding(GL_DRAW_FRAMEBUFFER, object_.name());
     GLboolean mask[4];
+    count(Call::stateQuery);
     glGetBooleanv(GL_COLOR_WRITEMASK, mask);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    count(Call::clear);
     glClearBufferfv(GL_COLOR, output, &value.x);
     glColorMask(mask[0], mask[1], mask[2], mask[3]);
 }
@@ -180,8 +192,10 @@ void Framebuffer::clearDepth(float value) const
 {
     const ScopedBinding binding(GL_DRAW_FRAMEBUFFER, object_.name());
     GLboolean mask = GL_TRUE;
+    count(Call::stateQuery);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
     glDepthMask(GL_TRUE);
+    count(Call::clear);
     glClearBufferfv(GL_DEPTH, 0, &value);
     glDepthMask(mask);
 }
@@ -214,6 +228,7 @@ void Framebuffer::blitTo(const Framebuffer& destination, const Copy& copy) const
                             (copy.depth ? GL_DEPTH_BUFFER_BIT : GLbitfield{0});
     // OpenGL allows depth to be copied texel by texel only.
     const bool smooth = copy.filter == Filter::linear && !copy.depth && samples_ == 1;
+    count(Call::blit);
     glBlitFramebuffer(0, 0, size_.x, size_.y, from.x, from.y, to.x, to.y, mask,
                       smooth ? GL_LINEAR : GL_NEAREST);
     if (chooseOutput) drawIntoAll(destination.colourCount_);
@@ -233,6 +248,7 @@ std::vector<float> Framebuffer::readFloats(int output) const
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
     beginRead(output);
     std::vector<float> values(4 * pixelCount(size_));
+    count(Call::readBack);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_FLOAT, values.data());
     return values;
 }
@@ -244,6 +260,7 @@ void Framebuffer::copyFloatsTo(Buffer& buffer, int output) const
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
     beginRead(output);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.name());
+    count(Call::readBack);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_FLOAT, nullptr);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
@@ -253,6 +270,7 @@ std::vector<std::uint8_t> Framebuffer::readBytes(int output) const
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
     beginRead(output);
     std::vector<std::uint8_t> values(4 * pixelCount(size_));
+    count(Call::readBack);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, values.data());
     return values;
 }
@@ -263,6 +281,7 @@ std::vector<float> Framebuffer::readDepth() const
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     std::vector<float> values(pixelCount(size_));
+    count(Call::readBack);
     glReadPixels(0, 0, size_.x, size_.y, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
     return values;
 }

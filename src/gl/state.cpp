@@ -1,6 +1,7 @@
 #include "gl/state.h"
 
 #include "gl/api.h"
+#include "gl/counters.h"
 
 #include <array>
 
@@ -66,6 +67,7 @@ void applyBlend(const State& state)
 
 void apply(const State& state)
 {
+    count(Call::stateChange);
     applyDepth(state);
     applyFaces(state);
     applyBlend(state);
