@@ -1,5 +1,6 @@
 // tarn bench: what the frame costs with the water, without it, and with any option changed; or a table of the
 // thesis, measured here.
+#include "app/bench_interactive.h"
 #include "app/commands.h"
 #include "app/machine.h"
 #include "app/plan_report.h"
@@ -7,9 +8,12 @@
 #include "base/error.h"
 #include "measure/benchmark.h"
 #include "measure/paper_tables.h"
+#include "measure/yardstick.h"
 #include "render/warm_up.h"
 
 #include <nlohmann/json.hpp>
+
+#include <optional>
 
 namespace tarn
 {
@@ -108,6 +112,7 @@ std::vector<Configuration> configurationsOf(const BenchCommand& command, const S
 
 void run(const BenchCommand& command)
 {
+    if (command.interactive) return runInteractive(command);
     requireWritableJson(command.json);
     TerminalProgress progress;
     const Stage stage = loadStage(command.scene, &progress);
@@ -129,8 +134,10 @@ void run(const BenchCommand& command)
         rendered.push_back(subject.get());
         subjects.push_back(std::move(subject));
     }
-    BenchReport report =
-        runBenchmark(subjects, {.frames = command.frames, .warmUp = command.warmUp}, &progress);
+    std::optional<Yardstick> yardstick;
+    if (command.yardstick) yardstick.emplace(session.shaders());
+    BenchReport report = runBenchmark(subjects, {.frames = command.frames, .warmUp = command.warmUp}, &progress,
+                                      yardstick ? &*yardstick : nullptr);
     report.context = {{"machine", machineText()},
                       {"renderer", session.context().renderer()},
                       {"OpenGL", session.context().version()},
@@ -149,7 +156,7 @@ void run(const BenchCommand& command)
                       {"geometry_bytes", session.renderer().geometryBytes()}};
     writeJson(command.json, json);
     if (command.json != "-") {
-        fmt::print("{}", command.table ? toMarkdown(*command.table, report) : toTable(report));
+        fmt::print("{}", command.table ? toMarkdown(*command.table, report) + yardstickLines(report) : toTable(report));
         if (!command.table) fmt::print("{}", toTable(shares));
     }
 }

@@ -72,7 +72,10 @@ struct BenchCommand {
     int warmUp = 5;
     std::vector<std::string> variants; ///< "key=value": one more configuration each
     bool flight = false; ///< past all of the scene's cameras
+    bool yardstick = false; ///< tells every configuration as a multiple of it too
     bool rules = false;  ///< measures the plan's rules: without each, and without all of them
+    bool interactive = false; ///< a recorded flight at its real speed instead
+    double seconds = 20.0;    ///< that it takes
     const PaperTable* table = nullptr; ///< measures its rows instead; null: none asked for
     std::string json;
 };

@@ -20,6 +20,7 @@ public:
 
     Renderer& renderer() { return *renderer_; }
     gl::Profiler& profiler() { return profiler_; }
+    gl::ShaderLibrary& shaders() { return *shaders_; }
     const gl::Context& context() const { return *context_; }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "gl/api.h"
+#include "gl/counters.h"
 
 #include <utility>
 
@@ -26,6 +27,7 @@ Buffer::Buffer(std::string label, Usage usage)
 void Buffer::upload(const void* data, std::size_t bytes)
 {
     glBindBuffer(uploadTarget, object_.name());
+    count(Call::bufferUpload);
     glBufferData(uploadTarget, static_cast<GLsizeiptr>(bytes), data,
                  usage_ == Usage::constant ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
     size_ = bytes;
@@ -38,6 +40,7 @@ void Buffer::subData(std::size_t offset, const void* data, std::size_t bytes)
                     offset);
     }
     glBindBuffer(uploadTarget, object_.name());
+    count(Call::bufferUpload);
     glBufferSubData(uploadTarget, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "gl/context.h"
+#include "gl/counters.h"
 #include "gl/format_gl.h"
 #include "gl/state.h"
 
@@ -90,6 +91,7 @@ thread_local Bound bound;
 
 void bindBoth(Name name)
 {
+    count(Call::framebufferBind);
     glBindFramebuffer(GL_FRAMEBUFFER, name);
     bound = {name, name};
 }
@@ -110,7 +112,10 @@ public:
 private:
     void bind(Name name)
     {
-        if (name != name_) glBindFramebuffer(target_, name);
+        if (name != name_) {
+            count(Call::framebufferBind);
+            glBindFramebuffer(target_, name);
+        }
         name_ = name;
         (target_ == GL_READ_FRAMEBUFFER ? bound.read : bound.draw) = name;
     }
@@ -168,6 +173,7 @@ Framebuffer::Framebuffer(std::string label, std::span<const Attachment> attachme
     }
     drawIntoAll(colourCount_);
     glReadBuffer(colourCount_ > 0 ? GL_COLOR_ATTACHMENT0 : GL_NONE);
+    count(Call::stateQuery);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) fail(this->label(), attachments, statusText(status));
 }
@@ -217,6 +223,7 @@ void Framebuffer::clearColour(const vec4& value, int output) const
     const ScopedBinding binding(GL_DRAW_FRAMEBUFFER, object_.name());
     const bool isMasked = !writeMasks().colour;
     if (isMasked) glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    count(Call::clear);
     glClearBufferfv(GL_COLOR, output, &value.x);
     if (isMasked) glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
 }
@@ -226,6 +233,7 @@ void Framebuffer::clearDepth(float value) const
     const ScopedBinding binding(GL_DRAW_FRAMEBUFFER, object_.name());
     const bool isMasked = !writeMasks().depth;
     if (isMasked) glDepthMask(GL_TRUE);
+    count(Call::clear);
     glClearBufferfv(GL_DEPTH, 0, &value);
     if (isMasked) glDepthMask(GL_FALSE);
 }
@@ -258,6 +266,7 @@ void Framebuffer::blitTo(const Framebuffer& destination, const Copy& copy) const
                             (copy.depth ? GL_DEPTH_BUFFER_BIT : GLbitfield{0});
     // OpenGL allows depth to be copied texel by texel only.
     const bool smooth = copy.filter == Filter::linear && !copy.depth && samples_ == 1;
+    count(Call::blit);
     glBlitFramebuffer(0, 0, size_.x, size_.y, from.x, from.y, to.x, to.y, mask,
                       smooth ? GL_LINEAR : GL_NEAREST);
     if (chooseOutput) drawIntoAll(destination.colourCount_);
@@ -277,6 +286,7 @@ std::vector<float> Framebuffer::readFloats(int output) const
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
     beginRead(output);
     std::vector<float> values(4 * pixelCount(size_));
+    count(Call::readBack);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_FLOAT, values.data());
     return values;
 }
@@ -288,6 +298,7 @@ void Framebuffer::copyFloatsTo(Buffer& buffer, int output) const
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
     beginRead(output);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.name());
+    count(Call::readBack);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_FLOAT, nullptr);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
@@ -297,6 +308,7 @@ std::vector<std::uint8_t> Framebuffer::readBytes(int output) const
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
     beginRead(output);
     std::vector<std::uint8_t> values(4 * pixelCount(size_));
+    count(Call::readBack);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, values.data());
     return values;
 }
@@ -307,6 +319,7 @@ std::vector<float> Framebuffer::readDepth() const
     const ScopedBinding binding(GL_READ_FRAMEBUFFER, object_.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     std::vector<float> values(pixelCount(size_));
+    count(Call::readBack);
     glReadPixels(0, 0, size_.x, size_.y, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
     return values;
 }

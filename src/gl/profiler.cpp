@@ -1,6 +1,7 @@
 #include "gl/profiler.h"
 
 #include "gl/api.h"
+#include "gl/counters.h"
 #include "gl/context.h"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ void stamp(Object& query, const std::string& label)
 double nanoseconds(const Object& query)
 {
     GLuint64 value = 0;
+    count(Call::queryResult);
     glGetQueryObjectui64v(query.name(), GL_QUERY_RESULT, &value);
     return static_cast<double>(value);
 }
@@ -46,6 +48,7 @@ double nanoseconds(const Object& query)
 bool isAvailable(const Object& query)
 {
     GLint available = GL_FALSE;
+    count(Call::queryResult);
     glGetQueryObjectiv(query.name(), GL_QUERY_RESULT_AVAILABLE, &available);
     return available == GL_TRUE;
 }

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "gl/api.h"
+#include "gl/counters.h"
 #include "gl/texture.h"
 
 #include <algorithm>
@@ -163,6 +164,7 @@ void Program::adopt(Object linked, const Bindings& bindings)
 
 void Program::use() const
 {
+    count(Call::programBind);
     glUseProgram(object_.name());
     current_ = this;
     if (!anyDirty_) return;
@@ -187,6 +189,7 @@ int Program::slot(std::string_view uniformName)
 
 void Program::locate(Slot& s, Name program, const ActiveMap& active)
 {
+    gl::count(Call::stateQuery);
     s.location = glGetUniformLocation(program, s.name.c_str());
     s.glType = 0;
     s.capacity = 0;
@@ -238,6 +241,7 @@ void Program::upload(Slot& s) const
 {
     s.dirty = false;
     if (s.location < 0 || s.count == 0) return;
+    gl::count(Call::uniformUpload);
     const auto* floats = reinterpret_cast<const GLfloat*>(s.value.data());
     const auto* integers = reinterpret_cast<const GLint*>(s.value.data());
     switch (*s.type) {

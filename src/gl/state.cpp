@@ -1,6 +1,7 @@
 #include "gl/state.h"
 
 #include "gl/api.h"
+#include "gl/counters.h"
 
 #include <array>
 
@@ -69,6 +70,7 @@ void applyBlend(const State& state)
 void apply(const State& state)
 {
     masks = {state.colourWrite, state.depthWrite};
+    count(Call::stateChange);
     applyDepth(state);
     applyFaces(state);
     applyBlend(state);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "gl/context.h"
+#include "gl/counters.h"
 #include "gl/format_gl.h"
 
 #include <algorithm>
@@ -164,6 +165,7 @@ std::vector<float> Texture::readBack(int face, int level) const
                               static_cast<std::size_t>(channels));
     bind(editUnit);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl::count(Call::readBack);
     glGetTexImage(imageTarget(desc_, face), level, pixelFormat(desc_.format, channels), GL_FLOAT,
                   values.data());
     return values;
@@ -171,6 +173,7 @@ std::vector<float> Texture::readBack(int face, int level) const
 
 void Texture::bind(int unit) const
 {
+    count(Call::textureBind);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(bindTarget(desc_), object_.name());
 }

@@ -1,6 +1,7 @@
 #include "gl/vertex_array.h"
 
 #include "gl/api.h"
+#include "gl/counters.h"
 
 #include <array>
 #include <cstdint>
@@ -76,6 +77,7 @@ void VertexArray::indices(const Buffer& buffer)
 void VertexArray::draw(Primitive primitive, int first, int count, int instances) const
 {
     bind();
+    gl::count(Call::draw);
     if (instances == 1)
         glDrawArrays(mode(primitive), first, count);
     else
@@ -85,6 +87,7 @@ void VertexArray::draw(Primitive primitive, int first, int count, int instances)
 void VertexArray::drawIndexed(Primitive primitive, int first, int count, int instances) const
 {
     bind();
+    gl::count(Call::draw);
     if (instances == 1)
         glDrawElements(mode(primitive), count, GL_UNSIGNED_INT, indexOffset(first));
     else
@@ -103,12 +106,14 @@ void VertexArray::drawIndexed(Primitive primitive, std::span<const IndexRange> r
         counts.push_back(range.count);
         offsets.push_back(indexOffset(range.first));
     }
+    count(Call::draw);
     glMultiDrawElements(mode(primitive), counts.data(), GL_UNSIGNED_INT, offsets.data(),
                         static_cast<GLsizei>(counts.size()));
 }
 
 void VertexArray::bind() const
 {
+    count(Call::vertexArrayBind);
     glBindVertexArray(object_.name());
 }
 

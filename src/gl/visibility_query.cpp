@@ -1,6 +1,7 @@
 #include "gl/visibility_query.h"
 
 #include "gl/api.h"
+#include "gl/counters.h"
 
 namespace tarn::gl
 {
@@ -26,9 +27,11 @@ std::optional<bool> VisibilityQuery::poll() const
 {
     if (!query_) return std::nullopt;
     GLint available = GL_FALSE;
+    count(Call::queryResult);
     glGetQueryObjectiv(query_.name(), GL_QUERY_RESULT_AVAILABLE, &available);
     if (available != GL_TRUE) return std::nullopt;
     GLuint samples = 0;
+    count(Call::queryResult);
     glGetQueryObjectuiv(query_.name(), GL_QUERY_RESULT, &samples);
     return samples > 0;
 }

@@ -4,6 +4,7 @@
 #include "measure/statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <utility>
@@ -35,6 +36,12 @@ public:
         result_.frame.cpuMs.push_back(cpuMs);
     }
 
+    void calls(const gl::Counters& calls)
+    {
+        for (std::size_t i = 0; i < gl::callCount; ++i)
+            calls_[i].push_back(static_cast<double>(calls.calls[i]));
+    }
+
     void passes(const std::vector<BenchPass>& passes)
     {
         std::uint64_t triangles = 0;
@@ -51,6 +58,8 @@ public:
     BenchResult finish()
     {
         result_.frame.triangles = median(triangles_);
+        for (std::size_t i = 0; i < gl::callCount; ++i)
+            result_.calls.calls[i] = median(calls_[i]);
         for (Row& row : rows_) {
             row.series.triangles = median(row.triangles);
             result_.passes.emplace_back(std::move(row.name), std::move(row.series));
@@ -82,43 +91,50 @@ private:
     BenchResult result_;
     std::vector<Row> rows_;
     std::vector<double> triangles_;
+    std::array<std::vector<double>, gl::callCount> calls_;
 };
 
 void measureFrame(BenchSubject& subject, int index, bool followsItself, bool passes, Recorder& recorder)
 {
     subject.prepare(index, followsItself);
+    const gl::Counters callsBefore = gl::counters();
     const double cpuStart = processCpuSeconds();
     const Clock::time_point start = Clock::now();
     subject.draw(index);
     const double wallMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     const double cpuMs = 1e3 * (processCpuSeconds() - cpuStart);
     recorder.frame(wallMs, cpuMs);
+    recorder.calls(gl::counters() - callsBefore);
     if (passes) recorder.passes(subject.drawPasses(index));
 }
 
 } // namespace
 
 BenchReport runBenchmark(const std::vector<std::unique_ptr<BenchSubject>>& subjects, const BenchPlan& plan,
-                         Progress* progress)
+                         Progress* progress, BenchSubject* yardstick)
 {
     if (subjects.empty() || plan.frames < 1 || plan.warmUp < 0 || plan.passesEvery < 1)
         throw Error("a benchmark needs something to measure and at least one frame");
+    std::vector<BenchSubject*> all;
+    if (yardstick) all.push_back(yardstick);
+    for (const auto& subject : subjects)
+        all.push_back(subject.get());
     std::vector<Recorder> recorders;
-    for (const auto& subject : subjects) {
+    for (BenchSubject* subject : all) {
         if (progress) progress->report(0.0, "warming up " + subject->name());
         for (int index = 0; index < plan.warmUp; ++index)
             subject->draw(index);
         recorders.emplace_back(subject->name());
     }
 
-    const std::size_t count = subjects.size();
-    const BenchSubject* last = plan.warmUp > 0 ? subjects.back().get() : nullptr; // that drew
+    const std::size_t count = all.size();
+    const BenchSubject* last = plan.warmUp > 0 ? all.back() : nullptr; // that drew
     for (int index = 0; index < plan.frames; ++index) {
         if (progress) progress->report(static_cast<double>(index) / plan.frames, "measuring");
         for (std::size_t turn = 0; turn < count; ++turn) {
             // Every other round runs backwards, so that none always follows the same neighbour.
             const std::size_t which = index % 2 == 0 ? turn : count - 1 - turn;
-            BenchSubject& subject = *subjects[which];
+            BenchSubject& subject = *all[which];
             const bool followsItself = std::exchange(last, &subject) == &subject;
             measureFrame(subject, index, followsItself, index % plan.passesEvery == 0, recorders[which]);
         }
@@ -128,6 +144,10 @@ BenchReport runBenchmark(const std::vector<std::unique_ptr<BenchSubject>>& subje
     report.plan = plan;
     for (Recorder& recorder : recorders)
         report.results.push_back(recorder.finish());
+    if (yardstick) {
+        report.yardstick = std::move(report.results.front());
+        report.results.erase(report.results.begin());
+    }
     return report;
 }
 

@@ -5,12 +5,14 @@
 #pragma once
 
 #include "base/progress.h"
+#include "gl/counters.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,7 @@ struct BenchResult {
     std::string name;
     BenchSeries frame;
     std::vector<std::pair<std::string, BenchSeries>> passes; ///< in drawing order
+    gl::Counters calls{};                                    ///< of OpenGL in a frame; medians
 };
 
 /// Where and how it was measured, for the report's head: "renderer", "size", "scene" …
@@ -63,15 +66,19 @@ struct BenchReport {
     BenchContext context;
     BenchPlan plan;
     std::vector<BenchResult> results; ///< ratios are against the last one
+    std::optional<BenchResult> yardstick{}; ///< that every result is told as a multiple of, where it was measured
 };
 
 /// @param progress may be null
+/// @param yardstick takes turns with the subjects and is no result of its own (measure/yardstick.h); null: none
 BenchReport runBenchmark(const std::vector<std::unique_ptr<BenchSubject>>& subjects, const BenchPlan& plan,
-                         Progress* progress = nullptr);
+                         Progress* progress = nullptr, BenchSubject* yardstick = nullptr);
 
 nlohmann::json toJson(const BenchReport& report);
 /// For people: a table for each configuration, then the ratios.
 std::string toTable(const BenchReport& report);
+/// A line for each configuration: how many yardsticks it costs. Empty where none was measured.
+std::string yardstickLines(const BenchReport& report);
 
 /// Processor time that all threads of this process have used, seconds.
 double processCpuSeconds();

@@ -241,6 +241,13 @@ test_json() {
     grep -q '"total_wall"' d.json || fail "bench's JSON lacks the ratio of the whole flight"
     grep -q '"geometry_bytes": [1-9]' b.json && grep -q '"resident_bytes": [1-9]' b.json ||
         fail "bench's JSON does not tell the memory"
+    call 0 bench "$pool" --size 32x24 --frames 2 --yardstick --json y.json
+    grep -q '^dry: .* x yardstick' "$work/stdout" || fail "bench --yardstick does not tell the frame in yardsticks"
+    grep -q '^  calls .* draw calls' "$work/stdout" || fail "bench does not tell how often a frame calls OpenGL"
+    grep -q '"yardsticks"' y.json || fail "bench's JSON lacks the yardsticks"
+    call 0 bench "$pool" --size 32x24 --interactive --seconds 0.3 --json i.json
+    grep -q '^input to picture, ms' "$work/stdout" || fail "bench --interactive does not tell the delay of inputs"
+    grep -q '"input_to_picture_ms"' i.json || fail "bench --interactive's JSON lacks the delay of inputs"
     call 0 bench "$pool" --size 32x24 --frames 2 --table 2 --json c.json
     grep -q '^| caustics off ' "$work/stdout" || fail "bench --table 2 has no row without caustics"
     grep -q '"ours_over_thesis"' c.json || fail "the table's JSON does not compare with the thesis"

@@ -149,6 +149,27 @@ TEST(CommandLine, BenchVariants)
     EXPECT_EQ(c.variants, (std::vector<std::string>{"refraction.steps=1", "a.b=c"}));
 }
 
+TEST(CommandLine, BenchYardstick)
+{
+    EXPECT_FALSE(parsed<BenchCommand>({"bench"}).yardstick);
+    EXPECT_TRUE(parsed<BenchCommand>({"bench", "--yardstick", "--table", "2"}).yardstick);
+}
+
+TEST(CommandLine, BenchInteractive)
+{
+    const auto c = parsed<BenchCommand>({"bench", "--interactive", "s.toml", "--seconds", "2.5"});
+    EXPECT_TRUE(c.interactive);
+    EXPECT_EQ(c.scene.file, "s.toml");
+    EXPECT_DOUBLE_EQ(c.seconds, 2.5);
+    for (const std::vector<std::string>& other :
+         {std::vector<std::string>{"--flight"}, {"--rules"}, {"--yardstick"}, {"--table", "2"}, {"--vary", "a.b=c"}}) {
+        std::vector<std::string> words{"bench", "--interactive"};
+        words.insert(words.end(), other.begin(), other.end());
+        EXPECT_NE(complaint(words).find("a flight of its own"), std::string::npos) << other.front();
+    }
+    EXPECT_NE(complaint({"bench", "--interactive", "--seconds", "0"}).find("--seconds 0"), std::string::npos);
+}
+
 TEST(CommandLine, BenchTables)
 {
     EXPECT_EQ(parsed<BenchCommand>({"bench"}).table, nullptr);

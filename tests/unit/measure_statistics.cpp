@@ -187,6 +187,64 @@ TEST(Benchmark, ReportTellsRatiosAgainstTheLast)
         << toTable(report);
 }
 
+TEST(Benchmark, TheYardstickTakesTurnsAndIsNoResult)
+{
+    std::vector<std::string> log;
+    std::vector<std::unique_ptr<BenchSubject>> subjects;
+    subjects.push_back(std::make_unique<FakeSubject>("a", 0, log));
+    FakeSubject yardstick("y", 0, log);
+    const BenchReport report = runBenchmark(subjects, {.frames = 2, .warmUp = 1}, nullptr, &yardstick);
+    EXPECT_EQ(log, (std::vector<std::string>{"y0", "a0", "y0", "a0", "a1", "y1"}));
+    ASSERT_EQ(report.results.size(), 1u);
+    EXPECT_EQ(report.results[0].name, "a");
+    ASSERT_TRUE(report.yardstick);
+    EXPECT_EQ(report.yardstick->name, "y");
+    EXPECT_EQ(report.yardstick->frame.wallMs.size(), 2u);
+}
+
+TEST(Benchmark, EveryResultIsToldInYardsticks)
+{
+    BenchReport report;
+    report.results.push_back({"water", {{7.0, 6.8, 200.0}, {40.0, 40.0, 50.0}, 10}, {}});
+    report.results.push_back({"dry", {{2.0, 2.0, 2.0}, {10.0, 10.0, 10.0}, 5}, {}});
+    EXPECT_EQ(yardstickLines(report), "");
+    EXPECT_FALSE(toJson(report).contains("yardstick"));
+    report.yardstick = BenchResult{"yardstick", {{2.0, 2.0, 50.0}, {4.0, 4.0, 5.0}, 100352}, {}};
+    EXPECT_NE(toTable(report).find("water: 3.50 x yardstick (wall time), 10.00 x (processor time)"), std::string::npos)
+        << toTable(report);
+    EXPECT_NE(toTable(report).find("dry: 1.00 x yardstick (wall time), 2.50 x"), std::string::npos) << toTable(report);
+    const nlohmann::json json = toJson(report);
+    EXPECT_DOUBLE_EQ(json["configurations"][0]["yardsticks"]["cpu"], 10.0);
+    EXPECT_DOUBLE_EQ(json["yardstick"]["frame"]["wall_ms"]["median"], 2.0);
+    ASSERT_EQ(json["ratios"].size(), 1u) << "ratios stay against the last configuration";
+    EXPECT_EQ(json["ratios"][0]["to"], "dry");
+}
+
+TEST(Benchmark, CountsTheCallsOfTheMeasuredFrames)
+{
+    /// Calls OpenGL more often with each frame; prepares with many calls more.
+    class Caller : public FakeSubject
+    {
+    public:
+        using FakeSubject::FakeSubject;
+        void prepare(int, bool) override { call(100); }
+        void draw(int index) override { call(index + 2); }
+        static void call(int times)
+        {
+            for (int i = 0; i < times; ++i)
+                gl::count(gl::Call::programBind);
+        }
+    };
+    std::vector<std::string> log;
+    std::vector<std::unique_ptr<BenchSubject>> subjects;
+    subjects.push_back(std::make_unique<Caller>("a", 0, log));
+    const BenchReport report = runBenchmark(subjects, {.frames = 3, .warmUp = 1});
+    EXPECT_EQ(report.results[0].calls[gl::Call::programBind], 3u) << "the median of 2, 3 and 4";
+    EXPECT_EQ(report.results[0].calls[gl::Call::draw], 0u);
+    EXPECT_NE(toTable(report).find("3 program binds\n"), std::string::npos) << toTable(report);
+    EXPECT_EQ(toJson(report)["configurations"][0]["calls"]["program_binds"], 3);
+}
+
 TEST(Benchmark, RefusesToMeasureNothing)
 {
     EXPECT_THROW(runBenchmark({}, {}), Error);
