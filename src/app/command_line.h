@@ -47,6 +47,8 @@ struct ViewCommand {
     bool fullscreen = false;
     bool vsync = true;
     int frames = 0; ///< leaves after so many; 0: stays
+    std::optional<double> fps;     ///< that the governor holds; 0: it is off
+    std::filesystem::path ladder;  ///< that it moves along; empty: the shipped one
     std::filesystem::path reference; ///< a picture of `tarn reference` to compare with; empty: none
 };
 
@@ -100,6 +102,7 @@ struct TradeCommand {
     std::vector<std::filesystem::path> merge;
     bool fresh = false;
     std::filesystem::path writePresets; ///< folder, or empty
+    std::filesystem::path writeLadder;  ///< file, or empty: the plan is that of a ladder
     std::string commandLine;            ///< as given, for the report
 };
 

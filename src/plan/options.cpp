@@ -35,6 +35,10 @@ void visit(FieldVisitor& v, FrameOptions& o)
     v.field({"supersampling", "Shaded pixels along one edge of a pixel of the picture; 1 is off", "pixels", 1, 8},
             o.supersampling);
     v.field({"anisotropy", "Largest anisotropy of texture filtering; 1 is off", "", 1.0, 16.0}, o.anisotropy);
+    v.field({"target_ms", "Time of a frame that the viewer's governor keeps to by cheaper settings while anything moves; 0 is "
+                          "off. Of no effect outside the viewer",
+             "ms", 0.0, 10000.0},
+            o.targetMs);
 }
 
 void visit(FieldVisitor& v, DetailOptions& o)

@@ -17,6 +17,7 @@ struct FrameOptions {
     int msaa = 4;
     int supersampling = 1;
     float anisotropy = 8.0f;
+    float targetMs = 33.3f;
     bool operator==(const FrameOptions&) const = default;
 };
 

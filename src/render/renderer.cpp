@@ -5,12 +5,14 @@
 #include "base/log.h"
 #include "gl/workarounds.h"
 #include "plan/reduce.h"
+#include "plan/refinement.h"
 #include "render/bed_detail.h"
 #include "render/bindings.h"
 #include "render/drawing.h"
 #include "render/frame_light.h"
 #include "render/height_maps.h"
 #include "render/look_around.h"
+#include "render/passes/accumulate.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
 #include "render/passes/glow.h"
@@ -104,7 +106,7 @@ struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p, Progress* progress)
         : scene(s), options(o), water(s.water), shaders(library),
           gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
-          waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
+          waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders), accumulate(shaders),
           presentPass(shaders), debugCopy(shaders), stereo(shaders)
     {
     }
@@ -140,6 +142,7 @@ struct Renderer::State {
     gl::VisibilityQuery slab; ///< whether the box that the surface moves in is seen
     GlowPass glowPass;
     DownsamplePass downsample;
+    AccumulatePass accumulate;
     PresentPass presentPass;
     DebugCopyPass debugCopy;
     StereoPass stereo;
@@ -311,6 +314,9 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     Options allowed = options;
     if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
+    const int sample = options.stereo.isOn() || wantsRawValues(input.view) ? 0 : input.sample;
+    // The samples of an edge's pixels look things up half a pixel beyond what is bounded for their middles.
+    if (sample > 0) allowed.plan.rules[static_cast<std::size_t>(RuleId::targetBounds)] = false;
     sight = lookAround(boxes, scene, water, input.camera, input.size, allowed, light);
     hiddenBlocks.takeAnswers();
     sight.waterWasHidden = hiddenBlocks.wereAllHidden() && OcclusionPass::canAsk(waterBounds(water), input.camera.eye) &&
@@ -325,6 +331,9 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     isBelow = plan().side == WaterSide::below;
     isCrossing = plan().side == WaterSide::crossing;
     main = mainView(input.camera, aspect);
+    if (sample > 0)
+        main.clipFromView =
+            glm::translate(mat4(1.0f), vec3(2.0f * jitterOf(sample) / vec2(input.size), 0.0f)) * main.clipFromView;
     // How far off geometry may be. The maps of heights hold full detail: what marches through them goes closer.
     main.geometryError =
         geometryErrorOf(main, glm::max(input.size, plan()[PassId::scene].size), options.detail.pixels);
@@ -516,6 +525,8 @@ void Renderer::State::present(const FrameInput& input)
     gl::PassScope scope(drawing.profiler, passName(PassId::present));
     frame.resolve();
     shown = &selectShown(input);
+    if (input.sample > 0 && !options.stereo.isOn() && !wantsRawValues(input.view))
+        shown = &accumulate.add(*shown, input.sample);
     presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view);
     drawing.check(PassId::present, presentPass.target());
 }

@@ -39,6 +39,10 @@ struct FrameInput {
     /// look up stays, and only the picture is drawn anew. For several debug views of one moment. Of no effect in stereo,
     /// where what is looked up is the other eye's.
     bool sameMoment = false;
+    /// From 1: of the samples of a moment that are averaged, the how-many-eth this frame is. It is jittered within a pixel,
+    /// and what is shown is the mean of all so far. Everything else is that of the frames before. 0: this frame alone. Of no
+    /// effect in debug views and in stereo.
+    int sample = 0;
 };
 
 /// What a frame did. Valid until the next one.

@@ -31,35 +31,46 @@ Camera levelCamera(const vec3& eye)
 
 } // namespace
 
-void warmUp(Renderer& renderer, const WaterBody& water, Progress* progress)
+std::vector<WarmUpFrame> warmUpFrames(const Options& options, const WaterBody& water)
 {
-    const Options options = renderer.options();
     const Options all = tiny(options);
-    const double draws = water.present && options.water.enabled ? 7.0 : 4.0;
-    double done = 0.0;
-    const auto draw = [&](const Options& variant, float height) {
-        if (progress) progress->report(done++ / draws, "building shaders");
-        const Camera camera = levelCamera(vec3(water.centre.x, height, water.centre.y));
-        renderer.setOptions(variant, water);
-        renderer.render({camera, 0.0, {16, 12}});
-    };
     const float amplitude = totalAmplitude(water);
     const float above = water.level + amplitude + 1.0f;
+    std::vector<WarmUpFrame> frames;
     // The rules leave out either target, and with the bed its caustics.
     for (const bool refracts : {true, false}) {
         for (const bool reflects : {true, false}) {
             Options variant = all;
             variant.refraction.enabled = refracts && options.refraction.enabled;
             variant.reflection.enabled = reflects && options.reflection.enabled;
-            draw(variant, above);
+            frames.push_back({variant, above});
         }
     }
     if (water.present && options.water.enabled) {
         Options glowless = all;
         glowless.glow.enabled = false;
-        draw(glowless, above);
-        draw(all, surfaceHeight(water, water.centre, 0.0)); // cuts the near plane
-        draw(all, water.level - amplitude - 1.0f);
+        frames.push_back({glowless, above});
+        frames.push_back({all, surfaceHeight(water, water.centre, 0.0)}); // cuts the near plane
+        frames.push_back({all, water.level - amplitude - 1.0f});
+    }
+    return frames;
+}
+
+void drawWarmUp(Renderer& renderer, const WarmUpFrame& frame, const WaterBody& water)
+{
+    const Camera camera = levelCamera(vec3(water.centre.x, frame.height, water.centre.y));
+    renderer.setOptions(frame.options, water);
+    renderer.render({camera, 0.0, {16, 12}});
+}
+
+void warmUp(Renderer& renderer, const WaterBody& water, Progress* progress)
+{
+    const Options options = renderer.options();
+    const std::vector<WarmUpFrame> frames = warmUpFrames(options, water);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        if (progress)
+            progress->report(static_cast<double>(i) / static_cast<double>(frames.size()), "building shaders");
+        drawWarmUp(renderer, frames[i], water);
     }
     renderer.setOptions(options, water);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The viewer in a real window on a display of its own: opened, every key pressed, resized, photographed, closed.
-# viewer.sh PROJECT TARN TARN_OSMESA COMPARE
+# viewer.sh PROJECT TARN TARN_OSMESA COMPARE TEST
 set -euo pipefail
 project=$1 tarn=$2 osmesa=$3 compare=$4
 source "$project/tests/scripts/lib.sh"
@@ -51,7 +51,8 @@ picture_there() { [[ -n $(find "$work/out" -name 'tarn-*.png' -size +1k) ]]; }
 test_viewer() {
     start_display
     trap 'stop_all; rm -rf "$work"' EXIT
-    "$tarn" view "$scene" --camera shore --size 640x480 --time 0 >"$work/stdout" 2>"$work/stderr" </dev/null &
+    # With its own settings, whatever they take: that is what tarn-osmesa draws.
+    "$tarn" view "$scene" --camera shore --size 640x480 --time 0 --fps 0 >"$work/stdout" 2>"$work/stderr" </dev/null &
     viewer=$!
     until_true "the window" xdotool search --onlyvisible --name '[Tt]arn'
     window=$(xdotool search --onlyvisible --name '[Tt]arn' | head -n 1)
@@ -78,7 +79,7 @@ test_viewer() {
     press o o
 
     # Everything the help names, twice where it switches something.
-    press c c u u g g r r f f p p v v v v v v v v v v v v v o o o b bracketleft bracketright h h Tab Tab 1 2 3 9 w a s d Up Down Left Right shift q e
+    press c c u u g g r r f f p p v v v v v v v v v v v v v o o o t t b bracketleft bracketright h h Tab Tab 1 2 3 9 w a s d Up Down Left Right shift q e
     xdotool mousemove --window "$window" 200 200 mousedown 1 mousemove_relative 40 10 mouseup 1 click 4 click 5
     local size
     for size in "800 300" "200 700" "640 480"; do
@@ -99,4 +100,37 @@ test_viewer() {
     ! grep -Ei 'error' "$work/stderr" || fail "the viewer printed an error"
 }
 
-run_test viewer
+# A rate that no settings reach makes it draw with the cheapest; a still picture rises to its own ones and is averaged.
+test_governor() {
+    local mean=$work/mean.png
+    start_display
+    trap 'stop_all; rm -rf "$work"' EXIT
+    "$tarn" view "$scene" --camera shore --size 640x480 --time 0 --fps 1000 >"$work/stdout" 2>"$work/stderr" </dev/null &
+    viewer=$!
+    until_true "the window" xdotool search --onlyvisible --name '[Tt]arn'
+    window=$(xdotool search --onlyvisible --name '[Tt]arn' | head -n 1)
+    xdotool windowfocus "$window"
+    press 1 F12
+    until_true "the screenshot" picture_there
+    photo=$(find "$work/out" -name 'tarn-*.png' | head -n 1)
+    grep -aq 'tarn:settings' "$photo" || fail "the screenshot does not tell its settings"
+    settings_of "$photo" | grep -q '"msaa":4' && fail "a thousand frames a second, with the scene's own settings"
+    rm "$photo"
+    press p
+    sleep 6
+    press F12
+    until_true "the screenshot of the refined picture" picture_there
+    photo=$(find "$work/out" -name 'tarn-*.png' | head -n 1)
+    settings_of "$photo" | grep -q '"msaa":4' || fail "a still picture has not risen to the scene's own settings"
+    "$osmesa" render "$scene" --camera shore --size 640x480 --time 0 --set frame.supersampling=4 --out "$mean" >/dev/null
+    "$compare" "$mean" "$photo" || fail "the refined picture is not like the supersampled one"
+    xdotool key --window "$window" Escape
+    local status=0
+    wait "$viewer" || status=$?
+    viewer=""
+    [[ $status == 0 ]] || fail "the viewer ended with $status"
+}
+
+settings_of() { strings -n 40 "$1"; }
+
+run_test "$5"

@@ -22,9 +22,18 @@ void text(const std::string& line)
     ImGui::TextUnformatted(line.c_str());
 }
 
+/// As wide as the figures are anyway.
+void drawWrapped(const std::string& words)
+{
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
+    text(words);
+    ImGui::PopTextWrapPos();
+}
+
 void drawFigures(const HudState& state)
 {
     text(fmt::format("{:.1f} fps   {:.1f} ms", state.rate.framesPerSecond(), state.rate.frameMilliseconds()));
+    if (!state.governor.empty()) drawWrapped(state.governor);
     for (const ShownTime& pass : state.rate.passes())
         text(fmt::format("  {:<12}{:7.2f} ms", pass.name, pass.milliseconds));
     text(fmt::format("{} triangles", state.triangles));

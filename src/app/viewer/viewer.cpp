@@ -1,5 +1,6 @@
 #include "app/viewer/viewer.h"
 
+#include "app/ladder_file.h"
 #include "app/plan_report.h"
 #include "app/program.h"
 #include "app/version.h"
@@ -13,12 +14,13 @@
 #include "base/log.h"
 #include "gl/framebuffer.h"
 #include "plan/stereo.h"
-#include "render/warm_up.h"
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace tarn
 {
@@ -73,6 +75,21 @@ bool visible(const gl::Window& window)
            !glfwGetWindowAttrib(window.handle(), GLFW_ICONIFIED);
 }
 
+/// What a frame took: on a card what the card did, or the processor where that was longer; waiting for the screen's refresh
+/// is no work. 0: not known yet.
+double frameMilliseconds(const gl::Profiler& profiler, double wallMs)
+{
+    if (profiler.isSynchronous()) return wallMs;
+    for (const gl::PassTime& time : profiler.latest())
+        if (time.name == "frame") return std::max(time.gpuMs, time.wallMs);
+    return 0.0;
+}
+
+bool movesWithTime(const WaterBody& water)
+{
+    return water.present && (totalAmplitude(water) > 0.0f || water.normalMap.isSeen());
+}
+
 /// Before the window opens, so that a wrong file is told at once.
 std::optional<reference::Picture> readReference(const std::filesystem::path& file)
 {
@@ -98,6 +115,7 @@ Viewer::Viewer(const ViewCommand& command)
       input_(window_.handle()), widgets_(window_.handle()), clock_(command.view.time)
 {
     guardDisplay();
+    choosePreset(command_.scene.settings, window_);
     input_.setWidgets(&widgets_);
     if (command.fullscreen) makeFullscreen(window_.handle());
     profiler_.setSynchronous(
@@ -114,7 +132,8 @@ void Viewer::run()
             lastFrame_ = 0.0; // the time away is no frame
             continue;
         }
-        glfwPollEvents();
+        if (part_.isFinal) glfwWaitEventsTimeout(idleSeconds); // nothing is left to be drawn
+        else glfwPollEvents();
         frame();
         if (command_.frames > 0 && ++drawn >= command_.frames) break;
     }
@@ -134,10 +153,23 @@ bool Viewer::load()
         drawLoadingFrame(loading.progress());
     }
     stage_ = loading.take();
+    if (command_.fps) stage_.settings.options.frame.targetMs = *command_.fps > 0.0 ? static_cast<float>(1e3 / *command_.fps) : 0.0f;
     startSettings_ = stage_.settings;
+    govern();
     begin();
     return true;
 }
+
+/// On a card several frames are under way at once.
+void Viewer::govern()
+{
+    const std::string& name = stage_.scene.name;
+    governed_.emplace(readLadder(command_.ladder.empty() ? shippedLadder() : command_.ladder), stage_.settings,
+                      name.empty() ? stage_.scene.file.stem().string() : name,
+                      GovernorTuning{.framesUnderWay = profiler_.isSynchronous() ? 1 : 5});
+}
+
+void Viewer::settingsChanged() { governed_->setOwn(stage_.settings); }
 
 /// At the reference's view and time, where there is a reference, unless the command line names others.
 void Viewer::begin()
@@ -174,9 +206,35 @@ void Viewer::makeRenderer()
     });
     shaders_ = makeShaderLibrary();
     renderer_ =
-        std::make_unique<Renderer>(stage_.scene, stage_.settings.options, *shaders_, profiler_, &progress);
-    renderer_->setOptions(stage_.settings.options, stage_.settings.water);
+        std::make_unique<Renderer>(stage_.scene, governed_->drawn().options, *shaders_, profiler_, &progress);
+    renderer_->setOptions(governed_->drawn().options, stage_.settings.water);
     warmUp(*renderer_, stage_.settings.water, &progress);
+    governed_->noteBuilt(governed_->drawn().options);
+}
+
+/// Since the last frame, by the person.
+bool Viewer::isDisturbed(ivec2 size)
+{
+    const Touched touched{camera_.camera(), size, view_, clock_.paused()};
+    const bool changed = !(touched == std::exchange(touched_, touched));
+    return changed || input_.held().direction() != vec3(0.0f);
+}
+
+/// One tiny frame at a time, so that a key that is pressed meanwhile need not wait for all of them.
+void Viewer::buildAtRest()
+{
+    const std::optional<Options> wanted = governed_->toBuild();
+    if (!wanted) return toBuild_.clear();
+    const WaterBody& water = stage_.settings.water;
+    if (toBuild_.empty() || !(building_ == *wanted)) {
+        toBuild_ = warmUpFrames(*wanted, water);
+        std::reverse(toBuild_.begin(), toBuild_.end());
+        building_ = *wanted;
+    }
+    drawWarmUp(*renderer_, toBuild_.back(), water);
+    toBuild_.pop_back();
+    if (toBuild_.empty()) governed_->noteBuilt(building_);
+    renderer_->setOptions(governed_->drawn().options, water);
 }
 
 void Viewer::frame()
@@ -190,21 +248,32 @@ void Viewer::frame()
 
     const ivec2 size = window_.framebufferSize();
     if (size.x < 1 || size.y < 1) return;
-    if (compares()) {
-        comparison_->state().look(camera_.camera(), clock_.time());
-        comparison_->update(*renderer_, stage_.settings);
-    }
+    if (compares()) comparison_->state().look(camera_.camera(), clock_.time());
+    const bool oneEye = !stage_.settings.options.stereo.isOn();
+    part_ = governed_->next({.now = now,
+                             .disturbed = isDisturbed(size),
+                             .isStill = oneEye && view_ == DebugView::final &&
+                                        (clock_.paused() || !movesWithTime(stage_.settings.water)),
+                             .suspended = compares() && comparison_->state().shown() != ComparisonMode::off});
+    if (part_.changed) renderer_->setOptions(governed_->drawn().options, stage_.settings.water);
+    if (compares()) comparison_->update(*renderer_, governed_->drawn());
     const ivec2 pictureSize = eyeSizeFor(size, stage_.settings.options.stereo.output);
-    const FrameStats& stats = renderer_->render({camera_.camera(), clock_.time(), pictureSize, view_});
+    const FrameStats& stats =
+        renderer_->render({camera_.camera(), clock_.time(), pictureSize, view_, false, part_.sample});
+    const bool isKept = stats.plan.rule(RuleId::keepFrame).applies;
     if (screenshotWanted_) takeScreenshot();
     renderer_->presentToWindow(size);
-    measure(seconds);
+    if (!part_.isFinal) measure(seconds);
 
     widgets_.beginFrame();
     drawWidgets(stats);
     gl::Framebuffer::window(size).bind();
     widgets_.draw();
     window_.swap();
+    const double drawn = frameMilliseconds(profiler_, 1e3 * (steadySeconds() - now));
+    if (!isKept && drawn > 0.0 && toBuild_.empty()) // tiny frames between would count
+        governed_->took({governed_->drawn().options, part_.sample, drawn, steadySeconds()});
+    buildAtRest();
 }
 
 void Viewer::takeInput(double seconds)
@@ -228,7 +297,7 @@ void Viewer::obey(const KeyCommand& command)
     Options& options = stage_.settings.options;
     const auto switched = [&](bool& option, const char* name) {
         toggle(option);
-        renderer_->setOptions(options, stage_.settings.water);
+        settingsChanged();
         say(fmt::format("{} {}", name, option ? "on" : "off"));
     };
     switch (command.action) {
@@ -251,7 +320,7 @@ void Viewer::obey(const KeyCommand& command)
         return say(fmt::format("view: {}", debugViewNames[static_cast<std::size_t>(view_)]));
     case Action::stereo:
         options.stereo.output = nextStereo(options.stereo.output);
-        renderer_->setOptions(options, stage_.settings.water);
+        settingsChanged();
         return say(options.stereo.isOn() ? stereoText(options.stereo) : "stereo off");
     case Action::compare:
         return compareNext();
@@ -259,6 +328,10 @@ void Viewer::obey(const KeyCommand& command)
     case Action::sliderRight:
         if (compares()) comparison_->state().moveSlider(command.action == Action::sliderRight ? 1 : -1);
         return;
+    case Action::governor: {
+        const bool isOn = governed_->toggle();
+        return say(isOn ? fmt::format("governor on: {:.3g} ms a frame", governed_->targetMs()) : "governor off: your own settings");
+    }
     case Action::help:
         return toggle(helpOpen_);
     case Action::panel:
@@ -311,6 +384,7 @@ void Viewer::drawWidgets(const FrameStats& stats)
                        .triangles = stats.triangles(),
                        .stereo = stereoText(stage_.settings.options.stereo),
                        .comparison = compares() ? comparison_->note() : "",
+                       .governor = governed_->text(rate_.framesPerSecond()),
                        .message = now < messageUntil_ ? message_ : "",
                        .shaderError = shaders_->lastError()};
     drawHud(hud, widgets_.scale());
@@ -323,8 +397,7 @@ void Viewer::drawWidgets(const FrameStats& stats)
         };
         const PanelResult result = drawPanel(fieldTree(stage_.settings), widgets_.scale(), panelOpen_, choice);
         if (result.reset) stage_.settings = startSettings_;
-        if (result.reset || result.changed)
-            renderer_->setOptions(stage_.settings.options, stage_.settings.water);
+        if (result.reset || result.changed) settingsChanged();
     }
     // Window managers are slow with titles, and eyes are slower.
     if (now - lastTitle_ >= 0.5) {
@@ -339,7 +412,7 @@ void Viewer::takeScreenshot()
     try {
         const std::filesystem::path file = nextScreenshot(std::filesystem::current_path());
         writeImage(file, renderer_->readDisplay(),
-                   {{"tarn:version", versionText()}, {"tarn:settings", settingsJson(stage_.settings)}});
+                   {{"tarn:version", versionText()}, {"tarn:settings", settingsJson(governed_->drawn())}});
         say("saved " + file.string());
         log::info("saved {}", file.string());
     } catch (const std::exception& error) { // a full disk is no reason to leave the lake

@@ -7,12 +7,14 @@
 #include "app/viewer/fly_camera.h"
 #include "app/viewer/frame_rate.h"
 #include "app/viewer/glfw_input.h"
+#include "app/viewer/governed_settings.h"
 #include "app/viewer/imgui_layer.h"
 #include "app/viewer/scene_clock.h"
 #include "gl/profiler.h"
 #include "gl/shader_library.h"
 #include "gl/window.h"
 #include "render/renderer.h"
+#include "render/warm_up.h"
 
 #include <memory>
 #include <string>
@@ -35,6 +37,10 @@ private:
     void begin();
     void drawLoadingFrame(const SharedProgress::State& state);
     void makeRenderer();
+    void govern();
+    void settingsChanged();
+    bool isDisturbed(ivec2 size);
+    void buildAtRest();
 
     void frame();
     void takeInput(double seconds);
@@ -59,12 +65,24 @@ private:
     std::unique_ptr<gl::ShaderLibrary> shaders_;
     gl::Profiler profiler_;
     std::unique_ptr<Renderer> renderer_;
+    std::optional<GovernedSettings> governed_; ///< once the scene is there
+    GovernedSettings::Part part_;
+    std::vector<WarmUpFrame> toBuild_; ///< of programs that a better picture needs, the next one last
+    Options building_;                 ///< what they are built for
     std::unique_ptr<Comparison> comparison_; ///< null: no reference was named
 
     FlyCamera camera_{Camera{}};
     SceneClock clock_;
     FrameRate rate_;
     DebugView view_ = DebugView::final;
+    /// What a person can change, as it was in the last frame.
+    struct Touched {
+        Camera camera;
+        ivec2 size{0};
+        DebugView view = DebugView::final;
+        bool paused = false;
+        bool operator==(const Touched&) const = default;
+    } touched_;
     double lastFrame_ = 0.0; ///< steady seconds; 0 before the first
     double lastTitle_ = 0.0;
     std::string message_;

@@ -1,6 +1,7 @@
 #include "measure/trade/plan.h"
 
 #include "base/error.h"
+#include "measure/trade/ladder.h"
 
 #include <cstdint>
 
@@ -115,7 +116,8 @@ TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe
 {
     const bool isDefault = request.sweeps.empty();
     std::vector<Sweep> sweeps;
-    if (!request.presetsOnly) sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
+    if (request.ladder) sweeps = cheaperSweeps(describe);
+    else if (!request.presetsOnly) sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
     if (request.grid && isDefault) throw UsageError("--grid needs at least one --sweep KEY=VALUES");
     if (request.presetsOnly && !isDefault) throw UsageError("--presets-only sweeps nothing; leave --sweep away");
     TradePlan plan;
@@ -129,6 +131,7 @@ TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe
         plan.presets.emplace_back(
             preset.name, addPoint(plan.points, makePoint(preset.changes, preset.name, "preset", describe)));
     plan.walk = isDefault && !request.presetsOnly;
+    plan.ladder = request.ladder;
     return plan;
 }
 
