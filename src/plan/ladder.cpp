@@ -83,6 +83,14 @@ std::string faultOfRung(const Ladder& ladder, std::size_t i)
     return "";
 }
 
+/// A frame that is upscaled needs one program more than one of the picture's size; a larger one another, and from 2 on
+/// foliage is drawn otherwise (docs/scale.md).
+bool scaleServes(float built, float wanted)
+{
+    const auto kind = [](float scale) { return scale < 1.0f ? 0 : scale == 1.0f ? 1 : scale < 2.0f ? 2 : 3; };
+    return kind(built) == kind(wanted) || (built < 1.0f && wanted == 1.0f);
+}
+
 } // namespace
 
 double rankAt(const std::string& key, const std::string& value, const std::string& origin)
@@ -146,9 +154,10 @@ bool isSizeOnly(std::string_view key)
     return keys.contains(key);
 }
 
-bool samePrograms(const Options& a, const Options& b)
+bool programsServe(const Options& built, const Options& wanted)
 {
-    Options x = a, y = b;
+    if (!scaleServes(built.frame.scale, wanted.frame.scale)) return false;
+    Options x = built, y = wanted;
     const std::vector<FieldRow> rowsX = listFields(treeOf(x)), rowsY = listFields(treeOf(y));
     for (std::size_t i = 0; i < rowsX.size(); ++i)
         if (rowsX[i].value != rowsY[i].value && !isSizeOnly(rowsX[i].key)) return false;

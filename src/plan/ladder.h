@@ -63,7 +63,7 @@ double rankAt(const std::string& key, const std::string& value, const std::strin
 /// own, which a frame in the middle of a movement must not wait for.
 bool isSizeOnly(std::string_view key);
 
-/// Whether both are drawn by the same programs, as far as the options tell.
-bool samePrograms(const Options& a, const Options& b);
+/// Whether the programs that were built for some options draw others too, as far as the options tell.
+bool programsServe(const Options& built, const Options& wanted);
 
 } // namespace tarn

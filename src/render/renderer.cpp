@@ -15,11 +15,13 @@
 #include "render/passes/accumulate.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
+#include "render/passes/fxaa.h"
 #include "render/passes/glow.h"
 #include "render/passes/occlusion.h"
 #include "render/passes/present.h"
 #include "render/passes/scene_pass.h"
 #include "render/passes/stereo.h"
+#include "render/passes/upscale.h"
 #include "render/passes/water.h"
 #include "render/passes/waterline.h"
 #include "render/read_back.h"
@@ -106,8 +108,8 @@ struct Renderer::State {
     State(const Scene& s, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p, Progress* progress)
         : scene(s), options(o), water(s.water), shaders(library),
           gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
-          waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders), accumulate(shaders),
-          presentPass(shaders), debugCopy(shaders), stereo(shaders)
+          waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
+          accumulate(shaders), presentPass(shaders), fxaa(shaders), upscale(shaders), debugCopy(shaders), stereo(shaders)
     {
     }
 
@@ -144,17 +146,21 @@ struct Renderer::State {
     DownsamplePass downsample;
     AccumulatePass accumulate;
     PresentPass presentPass;
+    FxaaPass fxaa;
+    UpscalePass upscale;
     DebugCopyPass debugCopy;
     StereoPass stereo;
 
     const gl::Target* glow = nullptr;  ///< of this frame, or null
     const gl::Texture* sideOfPixels = nullptr; ///< of a frame that shows both sides of the surface, or null
-    const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
+    const gl::Target* shown = nullptr; ///< what the last frame presented, before tone curve and upscaling
+    const gl::Target* display = nullptr; ///< the same as it is shown, of the picture's size
+    ivec2 presented{1}; ///< the last frame's size, both eyes' beside each other
     const gl::Target* beside = nullptr; ///< both eyes' displayed halves, or null for one eye
     const gl::Target* anaglyph = nullptr; ///< made of them, or null
 
     // Of this frame, or of the eye that is being drawn.
-    ivec2 drawnSize{1};      ///< of the frame, pixels: the picture's or a multiple of it
+    ivec2 drawnSize{1};      ///< of the frame, pixels
     View main;
     Sight sight;
     bool looksUpAnew = true; ///< maps and targets are not as the last frame left them
@@ -166,7 +172,8 @@ struct Renderer::State {
     void takeOptions(const Options& wanted, const WaterBody& body);
     void drawEye(const FrameInput& input, const Camera& head);
     void drawBothEyes(const FrameInput& input);
-    const gl::Target& displayed() const { return anaglyph ? *anaglyph : beside ? *beside : presentPass.target(); }
+    const gl::Target& displayed() const;
+    const gl::Target& linear();
     void beginEye(const FrameInput& input, const Camera& head);
     const FramePlan& plan() const { return drawing.plan(); }
     void drawMaps(const Camera& head);
@@ -211,7 +218,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     lit.dithersCutOuts = dithersCutOuts(options.frame);
     PaintStyle main = lit;
     main.sunDisc = true;
-    main.alphaToCoverage = options.frame.msaa > 1 && !lit.dithersCutOuts;
+    main.alphaToCoverage = options.frame.samples() > 1 && !lit.dithersCutOuts;
     state_->painter.prepare(main, false);
     if (watery) state_->painter.prepare(lit, true);
     state_->occlusionPass.prepare();
@@ -299,7 +306,7 @@ void Renderer::State::drawBothEyes(const FrameInput& input)
         const Camera camera = eyeCamera(input.camera, options.stereo, eye);
         drawEye({camera, input.time, input.size, input.view}, input.camera);
         gl::PassScope scope(drawing.profiler, passName(PassId::present));
-        stereo.take(eye, *shown, presentPass.target());
+        stereo.take(eye, *shown, *display);
     }
     shown = &stereo.linear();
     beside = &stereo.display();
@@ -333,10 +340,10 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     main = mainView(input.camera, aspect);
     if (sample > 0)
         main.clipFromView =
-            glm::translate(mat4(1.0f), vec3(2.0f * jitterOf(sample) / vec2(input.size), 0.0f)) * main.clipFromView;
+            glm::translate(mat4(1.0f), vec3(2.0f * jitterOf(sample) / vec2(glm::min(input.size, plan()[PassId::scene].size)), 0.0f)) *
+            main.clipFromView;
     // How far off geometry may be. The maps of heights hold full detail: what marches through them goes closer.
-    main.geometryError =
-        geometryErrorOf(main, glm::max(input.size, plan()[PassId::scene].size), options.detail.pixels);
+    main.geometryError = geometryErrorOf(main, plan()[PassId::scene].size, options.detail.pixels);
     targets.begin(targetInputs(input), plan());
     for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(drawing.stats.plan.waterGrid[axis]);
     frameBlock.update(light);
@@ -410,7 +417,7 @@ void Renderer::State::drawScene(const FrameInput& input)
     frame.ensure({.size = drawnSize,
                   .colours = {raw ? gl::Format::rgba32f : gl::Format::rgba16f},
                   .depth = gl::Format::depth24,
-                  .samples = raw ? 1 : options.frame.msaa});
+                  .samples = raw ? 1 : options.frame.samples()});
 
     ScenePass::Inputs inputs{.view = main, .style = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
     if (isWaterView(input.view)) { // what hides the water is all that they need
@@ -516,8 +523,11 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
     case DebugView::caustics:
         return plan()[PassId::caustics].wanted ? debugCopy.colour(sun.caustics().colour(), size)
                                                    : debugCopy.nothing(size);
-    default: return downsample.draw(frame, size);
+    default: break;
     }
+    // What was drawn smaller is upscaled as it is shown, after the tone curve.
+    const bool isSmaller = drawnSize.x < size.x || drawnSize.y < size.y;
+    return isSmaller ? frame : downsample.draw(frame, size);
 }
 
 void Renderer::State::present(const FrameInput& input)
@@ -527,8 +537,25 @@ void Renderer::State::present(const FrameInput& input)
     shown = &selectShown(input);
     if (input.sample > 0 && !options.stereo.isOn() && !wantsRawValues(input.view))
         shown = &accumulate.add(*shown, input.sample);
-    presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view);
-    drawing.check(PassId::present, presentPass.target());
+    const bool smooths = options.frame.antialiasing == FrameOptions::Antialiasing::fxaa && !wantsRawValues(input.view);
+    display = &presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view, smooths);
+    if (smooths) display = &fxaa.draw(display->colour());
+    if (display->size() != input.size) display = &upscale.draw(display->colour(), input.size, options.frame.upscaler);
+    presented = presentedSize(input.size, options.stereo.output);
+    drawing.check(PassId::present, *display);
+}
+
+const gl::Target& Renderer::State::displayed() const
+{
+    if (!display) throw Error("no frame has been rendered yet");
+    return anaglyph ? *anaglyph : beside ? *beside : *display;
+}
+
+/// The radiance of the last frame, of its picture's size. In an upscaled frame nobody else needs it: made when it is read.
+const gl::Target& Renderer::State::linear()
+{
+    if (shown->size() == presented) return *shown;
+    return upscale.drawLinear(shown->colour(), presented, options.frame, beside ? 2 : 1);
 }
 
 void Renderer::presentToWindow(ivec2 windowSize) const
@@ -547,7 +574,7 @@ Image Renderer::readLinear() const
     if (s.anaglyph)
         throw Error("an anaglyph is made of what a display shows and has no radiance; stereo.output = side_by_side or "
                     "pair has");
-    return readFloats(s.shown->framebuffer());
+    return readFloats(state_->linear().framebuffer());
 }
 
 const HeightField* Renderer::heightField() const

@@ -122,7 +122,7 @@ test_governor() {
     until_true "the screenshot of the refined picture" picture_there
     photo=$(find "$work/out" -name 'tarn-*.png' | head -n 1)
     settings_of "$photo" | grep -q '"msaa":4' || fail "a still picture has not risen to the scene's own settings"
-    "$osmesa" render "$scene" --camera shore --size 640x480 --time 0 --set frame.supersampling=4 --out "$mean" >/dev/null
+    "$osmesa" render "$scene" --camera shore --size 640x480 --time 0 --set frame.scale=4 --out "$mean" >/dev/null
     "$compare" "$mean" "$photo" || fail "the refined picture is not like the supersampled one"
     xdotool key --window "$window" Escape
     local status=0

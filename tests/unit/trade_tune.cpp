@@ -180,6 +180,11 @@ TEST(Presets, ThatComeWithTarnAreValid)
     EXPECT_EQ(names, (std::vector<std::string>{"fast", "low", "medium", "high", "best", "thesis"}));
     for (const std::string& name : names)
         EXPECT_NO_THROW(resolveSettings(Scene{}, {.files = {}, .assignments = {}, .preset = name})) << name;
+    const auto scaleOf = [](const char* name) {
+        return resolveSettings(Scene{}, {.files = {}, .assignments = {}, .preset = name}).options.frame.scale;
+    };
+    EXPECT_EQ(scaleOf("medium"), 2.0f);
+    EXPECT_EQ(scaleOf("best"), 4.0f);
     const Settings thesis = resolveSettings(Scene{}, {.files = {}, .assignments = {}, .preset = "thesis"});
     EXPECT_EQ(thesis.options.refraction.steps, 3);
     EXPECT_EQ(thesis.options.underwater.refraction, UnderwaterOptions::Refraction::paper);

@@ -75,7 +75,7 @@ void GovernedSettings::noteReady()
     ready_.clear();
     for (const OwnRung& rung : rungs_)
         ready_.push_back(std::any_of(built_.begin(), built_.end(),
-                                     [&](const Options& built) { return samePrograms(built, rung.options); }));
+                                     [&](const Options& built) { return programsServe(built, rung.options); }));
 }
 
 GovernedSettings::Part GovernedSettings::next(const Now& now)
@@ -122,7 +122,7 @@ std::optional<Options> GovernedSettings::toBuild() const
 
 void GovernedSettings::noteBuilt(const Options& options)
 {
-    const auto same = [&](const Options& built) { return samePrograms(built, options); };
+    const auto same = [&](const Options& built) { return programsServe(built, options); };
     if (std::any_of(built_.begin(), built_.end(), same)) return;
     if (built_.size() >= mostSets) built_.erase(built_.begin());
     built_.push_back(options);

@@ -20,7 +20,8 @@ constexpr double clearlyLess = 0.93;     // of the cost of the rung before
 /// From the dearest to the cheapest.
 std::vector<std::string> sweepTexts()
 {
-    return {"frame.msaa=1",
+    return {"frame.antialiasing=fxaa,none",
+            "frame.scale=0.77,0.67,0.5,0.35",
             "sunlight.cascades=1",
             "sunlight.taps=1",
             "sunlight.map_size=1024,512",

@@ -108,8 +108,10 @@ std::vector<std::string> defaultSweeps()
             "sunlight.map_size=1024:4096:*2",
             "sunlight.taps=1,2",
             "sunlight.cascades=1,3",
-            "frame.msaa=1,4",
-            "frame.supersampling=1,2"};
+            "frame.antialiasing=none,fxaa,msaa",
+            "frame.msaa=1,2,4",
+            "frame.scale=0.5,0.67,0.77,1,2",
+            "frame.upscaler=bilinear,edge@frame.scale=0.5"};
 }
 
 TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe)
