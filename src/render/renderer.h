@@ -21,8 +21,10 @@
 
 namespace tarn {
 
+class GpuScene;
 class Progress;
 namespace gl {
+class Framebuffer;
 class ShaderLibrary;
 class Profiler;
 } // namespace gl
@@ -72,12 +74,19 @@ struct CausticsMap {
     vec3 toSun{0.0f};        ///< towards the sun under water: the light of a point crosses the plane along it
 };
 
+/// Meshes, textures and sky on the graphics card, as a renderer with these options needs them. Keeps a reference to the
+/// scene. A thread of its own may do it, in a context of the same share group (render/frame_thread.h).
+std::unique_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress);
+
 class Renderer {
 public:
     /// Uploads the scene, bakes its sky and compiles every shader that the options ask for. Keeps references to all
     /// but the progress. Throws Error when a shader does not compile.
     Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
              Progress* progress = nullptr);
+    /// The same with a scene that is uploaded already.
+    Renderer(std::unique_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
+             gl::Profiler& profiler, Progress* progress = nullptr);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -94,6 +103,8 @@ public:
 
     /// Copies the last frame's picture to the default framebuffer of the window.
     void presentToWindow(ivec2 windowSize) const;
+    /// The last frame's picture as it is shown; in stereo as readDisplay has it.
+    const gl::Framebuffer& display() const;
 
     /// The last frame as it is shown: 8-bit sRGB, three channels. In stereo an anaglyph, or the left eye's picture on the
     /// left of the right one's.

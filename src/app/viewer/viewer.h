@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/command_line.h"
+#include "app/live_picture.h"
 #include "app/stage.h"
 #include "app/viewer/comparison.h"
 #include "app/viewer/fly_camera.h"
@@ -9,11 +10,9 @@
 #include "app/viewer/glfw_input.h"
 #include "app/viewer/imgui_layer.h"
 #include "app/viewer/scene_clock.h"
-#include "gl/profiler.h"
-#include "gl/shader_library.h"
 #include "gl/window.h"
-#include "render/renderer.h"
 
+#include <future>
 #include <memory>
 #include <string>
 
@@ -34,7 +33,17 @@ private:
     bool load();
     void begin();
     void drawLoadingFrame(const SharedProgress::State& state);
-    void makeRenderer();
+
+    // showing.cpp: the picture is drawn elsewhere, and this thread waits for none of it.
+    void waitForNews() const;
+    FrameRequest request() const;
+    void showPicture(ivec2 size);
+    void redraw(ivec2 size);
+    std::string buildingNote() const;
+    void measure();
+    void takeScreenshot();
+    void sayScreenshot();
+    void leave();
 
     void frame();
     void takeInput(double seconds);
@@ -44,9 +53,7 @@ private:
     bool compares() const { return comparison_ && !stage_.settings.options.stereo.isOn(); }
     void compareNext();
     void drawWidgets(const FrameStats& stats);
-    void takeScreenshot();
     void say(const std::string& message);
-    void measure(double seconds);
 
     ViewCommand command_;
     std::optional<reference::Picture> truth_; ///< until the comparison has it
@@ -56,10 +63,8 @@ private:
     ImGuiLayer widgets_;
     Stage stage_;
     Settings startSettings_;
-    std::unique_ptr<gl::ShaderLibrary> shaders_;
-    gl::Profiler profiler_;
-    std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<Comparison> comparison_; ///< null: no reference was named
+    LivePicture picture_;
 
     FlyCamera camera_{Camera{}};
     SceneClock clock_;
@@ -67,6 +72,11 @@ private:
     DebugView view_ = DebugView::final;
     double lastFrame_ = 0.0; ///< steady seconds; 0 before the first
     double lastTitle_ = 0.0;
+    double lastRedraw_ = 0.0;  ///< steady seconds
+    ivec2 redrawnSize_{0};
+    double lastPicture_ = 0.0; ///< steady seconds of the renderer's last; 0: it rested since
+    int answeredAtPicture_ = 0, pictures_ = 0;
+    std::future<std::string> screenshot_; ///< what to say of it
     std::string message_;
     double messageUntil_ = 0.0;
     bool helpOpen_ = false, panelOpen_ = false;
