@@ -13,7 +13,7 @@
 namespace tarn::gl
 {
 
-const Program* Program::current_ = nullptr;
+thread_local const Program* Program::current_ = nullptr;
 
 namespace
 {

@@ -137,7 +137,7 @@ private:
     mutable std::vector<Slot> slots_;
     mutable bool anyDirty_ = false;
     int generation_ = 0;
-    static const Program* current_;
+    static thread_local const Program* current_; ///< of this thread's context
 };
 
 template <typename T> constexpr Program::Type Program::typeOf()

@@ -104,10 +104,15 @@ bool allowsDetail(const Options& options) { return options.plan.enabled && !opti
 
 } // namespace
 
+std::unique_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress)
+{
+    return std::make_unique<GpuScene>(scene, anisotropyFor(options.frame), progress);
+}
+
 struct Renderer::State {
-    State(const Scene& s, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p, Progress* progress)
-        : scene(s), options(o), water(s.water), shaders(library),
-          gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
+    State(std::unique_ptr<GpuScene> uploaded, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p)
+        : scene(uploaded->scene()), options(o), water(scene.water), shaders(library),
+          uploadedScene(std::move(uploaded)), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
           waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
           accumulate(shaders), presentPass(shaders), fxaa(shaders), upscale(shaders), debugCopy(shaders), stereo(shaders)
     {
@@ -117,7 +122,8 @@ struct Renderer::State {
     Options options;
     WaterBody water;
     gl::ShaderLibrary& shaders;
-    GpuScene gpuScene;
+    std::unique_ptr<GpuScene> uploadedScene;
+    GpuScene& gpuScene = *uploadedScene;
     ScenePainter painter;
     Drawing drawing;
     Bounds bounds; ///< of the scene, world space
@@ -191,8 +197,15 @@ struct Renderer::State {
 
 Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
                    Progress* progress)
-    : state_(std::make_unique<State>(scene, options, shaders, profiler, progress))
+    : Renderer(uploadScene(scene, options, progress), options, shaders, profiler, progress)
 {
+}
+
+Renderer::Renderer(std::unique_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
+                   gl::Profiler& profiler, Progress* progress)
+    : state_(std::make_unique<State>(std::move(uploaded), options, shaders, profiler))
+{
+    const Scene& scene = state_->scene;
     if (scene.pointLights.size() + scene.spotLights.size() > static_cast<std::size_t>(blocks::maxLights))
         log::warning("{}: {} point and spot lights, but only the first {} are drawn", scene.file.string(),
                      scene.pointLights.size() + scene.spotLights.size(), blocks::maxLights);
@@ -292,10 +305,16 @@ const FrameStats& Renderer::render(const FrameInput& input)
 /// @param head what does not depend on the eye is drawn for this camera
 void Renderer::State::drawEye(const FrameInput& input, const Camera& head)
 {
+    const auto goOn = [&] {
+        if (input.abandoned && *input.abandoned) throw FrameAbandoned{};
+    };
     beginEye(input, head);
     if (looksUpAnew) drawMaps(head);
+    goOn();
     drawScene(input);
+    goOn();
     drawWaterIfSeen(input);
+    goOn();
     if (plan()[PassId::glow].wanted) drawGlow(input);
     present(input);
 }
@@ -564,6 +583,8 @@ void Renderer::presentToWindow(ivec2 windowSize) const
     state_->displayed().framebuffer().blitTo(window, {.filter = gl::Filter::linear});
     window.bind();
 }
+
+const gl::Framebuffer& Renderer::display() const { return state_->displayed().framebuffer(); }
 
 Image Renderer::readDisplay() const { return readBytes(state_->displayed().framebuffer()); }
 

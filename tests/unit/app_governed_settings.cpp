@@ -80,26 +80,23 @@ TEST(GovernedSettings, ThePersonsOwnSettingsStayTheirs)
 
 TEST(GovernedSettings, OffShowsTheOwnSettings)
 {
-    Watched watched{{smallLadder(), Settings{}, "A pond"}};
+    Settings on, off;
+    off.options.frame.targetMs = 0.0f;
+    Watched watched{{smallLadder(), on, "A pond"}};
     watched.load = 1000.0;
     EXPECT_EQ(watched.frame(true).frame.msaa, 1);
-    EXPECT_FALSE(watched.governed.toggle());
-    EXPECT_EQ(watched.frame(true), Options{});
-    EXPECT_TRUE(watched.part.changed);
+    EXPECT_FALSE(watched.governed.setOwn(on)) << "nothing has changed";
+    EXPECT_TRUE(watched.governed.setOwn(off));
+    EXPECT_EQ(watched.frame(true), off.options);
     EXPECT_EQ(watched.governed.text(1.0), "");
-    EXPECT_TRUE(watched.governed.toggle());
+    watched.still = true;
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(watched.frame(false), off.options);
+    EXPECT_EQ(watched.part.sample, 0) << "nothing is refined";
+    EXPECT_FALSE(watched.part.isFinal);
+    watched.governed.setOwn(on);
     EXPECT_EQ(watched.frame(true).frame.msaa, 1);
-    EXPECT_EQ(watched.frame(true, true), Options{}) << "while something is measured";
-
-    Settings off;
-    off.options.frame.targetMs = 0.0f;
-    Watched never{{smallLadder(), off, "A pond"}};
-    EXPECT_EQ(never.frame(true), off.options);
-    never.still = true;
-    for (int i = 0; i < 100; ++i) never.frame(false);
-    EXPECT_EQ(never.part.sample, 0) << "nothing is refined";
-    EXPECT_TRUE(never.governed.toggle()) << "the key turns it on";
-    EXPECT_EQ(never.frame(true).frame.msaa, 1);
+    EXPECT_EQ(watched.frame(true, true), on.options) << "while something is measured";
+    EXPECT_EQ(watched.frame(true).frame.msaa, 1);
 }
 
 TEST(GovernedSettings, AStillPictureEndsAsTheOwnSettingsAveraged)
@@ -112,8 +109,10 @@ TEST(GovernedSettings, AStillPictureEndsAsTheOwnSettingsAveraged)
     EXPECT_TRUE(watched.part.isFinal);
     EXPECT_EQ(watched.governed.drawn().options, Options{});
     EXPECT_EQ(watched.governed.text(30.0), "at rest: 16 of 16 samples, error about 0.10, 4 % wrong hits or less");
+    EXPECT_TRUE(watched.part.isRefining);
     EXPECT_EQ(watched.frame(true).caustics.photons, 64) << "and the first touch brings the fluid ones";
     EXPECT_EQ(watched.part.sample, 0);
+    EXPECT_FALSE(watched.part.isRefining);
 }
 
 } // namespace

@@ -190,7 +190,9 @@ TEST(LadderFile, TheShippedOneIsValid)
     EXPECT_GE(ladder.rungs.size(), 3u);
     EXPECT_LT(ladder.rungs.back().cost, 0.4);
     std::vector<Options> sets;
-    for (const OwnRung& rung : rungsBelow(Options{}, ladder)) {
+    std::vector<OwnRung> rungs = rungsBelow(Options{}, ladder);
+    std::reverse(rungs.begin(), rungs.end()); // as they are built
+    for (const OwnRung& rung : rungs) {
         const auto same = [&](const Options& other) { return programsServe(other, rung.options); };
         if (std::none_of(sets.begin(), sets.end(), same)) sets.push_back(rung.options);
     }

@@ -53,21 +53,13 @@ void GovernedSettings::build()
     noteReady();
 }
 
-void GovernedSettings::setOwn(const Settings& own)
+bool GovernedSettings::setOwn(const Settings& own)
 {
+    if (own.options == own_.options && own.water == own_.water) return false;
     own_ = own;
     build();
     touched_ = true;
-}
-
-bool GovernedSettings::toggle()
-{
-    switchedOff_ = isOn();
-    if (!switchedOff_ && !isOn()) own_.options.frame.targetMs = FrameOptions{}.targetMs; // it was off by its target
-    build();
-    touched_ = true;
-    governor_.interrupted();
-    return isOn();
+    return true;
 }
 
 void GovernedSettings::noteReady()
@@ -81,12 +73,11 @@ void GovernedSettings::noteReady()
 GovernedSettings::Part GovernedSettings::next(const Now& now)
 {
     suspended_ = now.suspended;
-    const Settings before = drawn_;
     drawn_ = own_;
     if (!isOn() || suspended_) {
         step_ = {};
         touched_ = true; // by what is done meanwhile
-        return {0, false, !(drawn_.options == before.options && drawn_.water == before.water)};
+        return {};
     }
     const Refinement::Input input{now.now, now.disturbed || touched_, now.isStill};
     touched_ = false;
@@ -95,7 +86,7 @@ GovernedSettings::Part GovernedSettings::next(const Now& now)
     const bool wasRefined = last.sample > 0 || last.rung != governor_.rung();
     if (wasRefined && step_.sample == 0 && step_.rung == governor_.rung()) governor_.interrupted();
     drawn_.options = rungs_[step_.rung].options;
-    return {step_.sample, step_.isFinal, !(drawn_.options == before.options && drawn_.water == before.water)};
+    return {step_.sample, step_.isFinal, step_.sample > 0 || step_.rung != governor_.rung()};
 }
 
 void GovernedSettings::took(const Drawn& frame)

@@ -3,8 +3,7 @@
 //
 //     GovernedSettings governed(ladder, settings, "The lake", tuning);
 //     const GovernedSettings::Part part = governed.next({.now = now, .disturbed = moved, .isStill = paused});
-//     if (part.changed) renderer.setOptions(governed.drawn().options, …);
-//     …draw, with part.sample…
+//     …draw with governed.drawn() and part.sample…
 //     governed.took({governed.drawn().options, part.sample, milliseconds, now});
 #pragma once
 
@@ -26,13 +25,10 @@ public:
     /// @param scene the name of the one that is shown   @param own the person's settings; options.frame.targetMs 0: off
     GovernedSettings(Ladder ladder, const Settings& own, std::string scene, const GovernorTuning& tuning = {});
 
-    /// The person has changed them.
-    void setOwn(const Settings& own);
-    /// Off: the person's own settings are drawn, whatever they take. Returns whether it is on now.
-    bool toggle();
-    bool isOn() const { return !switchedOff_ && own_.options.frame.targetMs > 0.0f; }
-
-    double targetMs() const { return governor_.target(); }
+    /// Returns whether the person has changed them.
+    bool setOwn(const Settings& own);
+    /// Else the person's own settings are drawn, whatever they take.
+    bool isOn() const { return own_.options.frame.targetMs > 0.0f; }
 
     struct Now {
         double now = 0.0;       ///< s, of a clock that never goes back
@@ -43,7 +39,7 @@ public:
     struct Part {
         int sample = 0;       ///< FrameInput::sample
         bool isFinal = false; ///< the picture was drawn already and nothing better is to come
-        bool changed = false; ///< drawn() is not what it was
+        bool isRefining = false; ///< it may take longer than the governor allows
     };
     /// Once for each frame, before it is drawn.
     Part next(const Now& now);
@@ -81,7 +77,7 @@ private:
     Governor governor_;
     Refinement refinement_;
     Refinement::Step step_; ///< of the frame that is drawn next or was drawn last
-    bool switchedOff_ = false, suspended_ = false;
+    bool suspended_ = false;
     bool startsAtBase_ = false;
     bool touched_ = true;             ///< the settings were, since the last frame
     std::vector<Options> built_;      ///< one for each set of programs

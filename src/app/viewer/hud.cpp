@@ -44,6 +44,7 @@ void drawFigures(const HudState& state)
     if (state.view != "final") text("view: " + state.view);
     if (!state.stereo.empty()) text(state.stereo);
     if (!state.comparison.empty()) text(state.comparison);
+    if (!state.building.empty()) text(state.building);
     text("H: help");
 }
 

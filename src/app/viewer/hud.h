@@ -22,7 +22,8 @@ struct HudState {
     std::size_t triangles = 0;
     std::string stereo;      ///< how both eyes' pictures are shown, or ""
     std::string comparison;  ///< with a reference, or ""
-    std::string governor;    ///< what it chose and what that costs, or ""
+    std::string governor{};  ///< what it chose and what that costs, or ""
+    std::string building{};  ///< what is shown meanwhile and what is being built, or ""
     std::string message;     ///< for a few seconds, or ""
     std::string shaderError; ///< "file:line: message", or ""
 };

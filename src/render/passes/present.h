@@ -20,7 +20,8 @@ public:
     /// @param glow added on the display's scale; null for none
     /// @param luma left in alpha for shared/fxaa.glsl; else that is 1
     const gl::Target& draw(const gl::Texture& source, const gl::Texture* glow, const FrameOptions& options,
-                           DebugView view, bool luma);
+                           DebugView view, bool luma = false);
+    const gl::Target& target() const { return target_; } ///< the last result
 
 private:
     gl::ShaderLibrary& shaders_;
