@@ -3,7 +3,7 @@
 
 const float fxaaLeastContrast = 0.0625;     // what no eye sees in the dark
 const float fxaaRelativeContrast = 0.166;   // of the brightest neighbour
-const float fxaaSubpixelStrength = 0.75;    // how much of what is smaller than a pixel is taken away
+const float fxaaSubpixelStrength = 0.25;    // how much of what is smaller than a pixel is taken away: foliage is, docs/scale.md
 const int fxaaSteps = 6;                    // of the search, in either direction
 
 // Perceived brightness of a displayed colour (Rec. 601).

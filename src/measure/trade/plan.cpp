@@ -109,8 +109,8 @@ std::vector<std::string> defaultSweeps()
             "sunlight.taps=1,2",
             "sunlight.cascades=1,3",
             "frame.antialiasing=none,fxaa,msaa",
-            "frame.msaa=1,2,4",
-            "frame.scale=0.5,0.67,0.77,1,2",
+            "frame.msaa=2,4",
+            "frame.scale=0.5,0.67,1,2",
             "frame.upscaler=bilinear,edge@frame.scale=0.5"};
 }
 
