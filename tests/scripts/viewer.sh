@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # The viewer in a real window on a display of its own: opened, every key pressed, resized, photographed, closed.
-# viewer.sh PROJECT TARN TARN_OSMESA COMPARE
+# viewer.sh PROJECT TARN TARN_OSMESA COMPARE [viewer|building]
 set -euo pipefail
 project=$1 tarn=$2 osmesa=$3 compare=$4
 source "$project/tests/scripts/lib.sh"
 
 scene=$project/tests/image/scenes/post.toml
 
-# Waits until the command succeeds; a hundred attempts are twenty seconds.
+# Waits until the command succeeds; six hundred attempts are two minutes.
 until_true() {
     local what=$1 i
     shift
-    for ((i = 0; i < 100; i++)); do
+    for ((i = 0; i < 600; i++)); do
         if "$@" >/dev/null 2>&1; then return 0; fi
         kill -0 "$viewer" 2>/dev/null || fail "the viewer ended while the test waited for $what"
         sleep 0.2
@@ -46,6 +46,14 @@ press() {
     done
 }
 
+# The title says what is shown. Programs are built meanwhile, and keys are obeyed.
+shows_picture() {
+    local title
+    title=$(xdotool getwindowname "$window")
+    [[ $title == *fps* && $title != *"(draft)"* ]]
+}
+shows_draft() { [[ $(xdotool getwindowname "$window") == *"(draft)"* ]]; }
+
 picture_there() { [[ -n $(find "$work/out" -name 'tarn-*.png' -size +1k) ]]; }
 
 test_viewer() {
@@ -56,6 +64,7 @@ test_viewer() {
     until_true "the window" xdotool search --onlyvisible --name '[Tt]arn'
     window=$(xdotool search --onlyvisible --name '[Tt]arn' | head -n 1)
     xdotool windowfocus "$window"
+    until_true "the picture with all settings" shows_picture
 
     # The scene is still, so the picture is the one that tarn-osmesa draws, whatever the time.
     press p 1
@@ -99,4 +108,32 @@ test_viewer() {
     ! grep -Ei 'error' "$work/stderr" || fail "the viewer printed an error"
 }
 
-run_test viewer
+# With no program in any cache: the window shows a draft, obeys, and is gone when it is closed.
+test_building() {
+    start_display
+    trap 'stop_all; rm -rf "$work"' EXIT
+    mkdir "$work/cache"
+    MESA_SHADER_CACHE_DIR=$work/cache XDG_CACHE_HOME=$work/cache \
+        "$tarn" view --size 320x240 >"$work/stdout" 2>"$work/stderr" </dev/null &
+    viewer=$!
+    until_true "the window" xdotool search --onlyvisible --name '[Tt]arn'
+    window=$(xdotool search --onlyvisible --name '[Tt]arn' | head -n 1)
+    xdotool windowfocus "$window"
+    until_true "the draft" shows_draft
+    press 2 w c r Tab Tab
+    xdotool windowsize "$window" 400 200
+    press h h Escape
+    local i
+    for ((i = 0; i < 100; i++)); do # ten seconds, for machines with much else to do
+        xdotool search --onlyvisible --name '[Tt]arn' >/dev/null 2>&1 || break
+        sleep 0.1
+    done
+    [[ $i -lt 100 ]] || fail "the window was still there ten seconds after it was closed"
+    local status=0
+    wait "$viewer" || status=$?
+    viewer=""
+    [[ $status == 0 ]] || fail "the viewer ended with $status when it was closed while programs were built"
+    [[ ! -s $work/stderr ]] || fail "the viewer had something to say"
+}
+
+run_test "${5-viewer}"
