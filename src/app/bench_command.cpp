@@ -109,6 +109,7 @@ std::vector<Configuration> configurationsOf(const BenchCommand& command, const S
 void run(const BenchCommand& command)
 {
     requireWritableJson(command.json);
+    if (command.startup) return benchStartup(command);
     TerminalProgress progress;
     const Stage stage = loadStage(command.scene, &progress);
     const SubjectView view{.camera = chooseCamera(stage.scene, command.view.camera),

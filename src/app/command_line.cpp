@@ -281,8 +281,14 @@ std::function<Command()> defineBench(Flags& flags)
                 [command = command.get()](const std::string& text, const std::string& flag) {
                     command->table = &findPaperTable(text, flag);
                 });
+    flags.toggle("--startup",
+                 "Measure when this process, since it began, has its scene, its first picture and all its programs; with "
+                 "MESA_SHADER_CACHE_DIR set to an empty folder that is a first start",
+                 command->startup);
     flags.text("--json", "FILE", jsonDoc, command->json);
     return [command] {
+        if (command->startup && (command->table || command->flight || command->rules || !command->variants.empty()))
+            throw UsageError("--startup measures one start; leave --table, --flight, --rules and --vary away");
         if (command->table && !command->variants.empty())
             throw UsageError("--table has configurations of its own; leave --vary away");
         if (command->table && (command->flight || command->rules))

@@ -74,6 +74,7 @@ struct BenchCommand {
     int warmUp = 5;
     std::vector<std::string> variants; ///< "key=value": one more configuration each
     bool flight = false; ///< past all of the scene's cameras
+    bool startup = false; ///< measures the way to the first pictures instead
     bool rules = false;  ///< measures the plan's rules: without each, and without all of them
     const PaperTable* table = nullptr; ///< measures its rows instead; null: none asked for
     std::string json;

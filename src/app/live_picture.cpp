@@ -1,5 +1,6 @@
 #include "app/live_picture.h"
 
+#include "gl/shader_library.h"
 #include "render/gpu_scene.h"
 #include "render/renderer_source.h"
 
@@ -92,6 +93,7 @@ std::unique_ptr<FrameSource> LivePicture::makeFull(const Scene& scene, const Set
     promise_.set_value(DraftScene(*uploaded));
     auto source =
         std::make_unique<RendererSource>(std::move(uploaded), settings.options, settings.water, &progress);
+    programs_ = source->renderer()->shaders().built();
     times_.note(StartupEvent::programs);
     return source;
 }

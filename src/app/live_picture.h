@@ -56,6 +56,8 @@ public:
     SharedProgress::State progress() const { return progress_.state(); }
     /// With the renderer, between two of its frames; it waits until that is built.
     void post(FrameThread::Job job) { full_->post(std::move(job)); }
+    /// That the renderer had built when its pictures began.
+    std::size_t programs() const { return programs_; }
     const StartupTimes& times() const { return times_; }
     StartupTimes& times() { return times_; }
 
@@ -73,6 +75,7 @@ private:
     std::function<void()> wake_;
     StartupTimes times_;
     SharedProgress progress_;
+    std::atomic<std::size_t> programs_ = 0;
     std::promise<DraftScene> promise_;
     std::future<DraftScene> snapshot_ = promise_.get_future();
 

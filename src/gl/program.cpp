@@ -74,7 +74,10 @@ void bindBlocks(Name program, const Bindings& bindings, const std::string& progr
 
 } // namespace
 
-Program::Program(std::string name) : name_(std::move(name)) {}
+Program::Program(std::string name, std::shared_ptr<FirstUses> firstUses)
+    : name_(std::move(name)), firstUses_(std::move(firstUses))
+{
+}
 
 Program::~Program()
 {
@@ -163,6 +166,10 @@ void Program::adopt(Object linked, const Bindings& bindings)
 
 void Program::use() const
 {
+    if (firstUses_->round != countedFor_ && firstUses_->next) {
+        countedFor_ = firstUses_->round;
+        firstUses_->next();
+    }
     glUseProgram(object_.name());
     current_ = this;
     if (!anyDirty_) return;

@@ -73,8 +73,11 @@ void VertexArray::indices(const Buffer& buffer)
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer.name());
 }
 
+thread_local int NoDrawing::count_ = 0;
+
 void VertexArray::draw(Primitive primitive, int first, int count, int instances) const
 {
+    if (NoDrawing::inForce()) return;
     bind();
     if (instances == 1)
         glDrawArrays(mode(primitive), first, count);
@@ -84,6 +87,7 @@ void VertexArray::draw(Primitive primitive, int first, int count, int instances)
 
 void VertexArray::drawIndexed(Primitive primitive, int first, int count, int instances) const
 {
+    if (NoDrawing::inForce()) return;
     bind();
     if (instances == 1)
         glDrawElements(mode(primitive), count, GL_UNSIGNED_INT, indexOffset(first));
@@ -93,7 +97,7 @@ void VertexArray::drawIndexed(Primitive primitive, int first, int count, int ins
 
 void VertexArray::drawIndexed(Primitive primitive, std::span<const IndexRange> ranges) const
 {
-    if (ranges.empty()) return;
+    if (ranges.empty() || NoDrawing::inForce()) return;
     bind();
     thread_local std::vector<GLsizei> counts; // kept: this runs every frame
     thread_local std::vector<const void*> offsets;

@@ -268,9 +268,13 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
                   longestBedEdge, bedEdge);
 }
 
+gl::ShaderLibrary& Renderer::shaders() { return state_->shaders; }
+
 const Options& Renderer::options() const { return state_->options; }
 
 void Renderer::setChecking(bool checking) { state_->drawing.checking = checking; }
+
+void Renderer::setWarmingUp(bool warmingUp) { state_->painter.setWarmingUp(warmingUp); }
 
 const std::vector<BadPixels>& Renderer::badPixels() const { return state_->drawing.bad; }
 

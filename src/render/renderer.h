@@ -105,9 +105,14 @@ public:
     void setOptions(const Options& options, const WaterBody& water);
 
     const Options& options() const;
+    gl::ShaderLibrary& shaders();
 
     /// Count NaN, infinity and negative radiance in every target from the next frame on (slow: reads them all back).
     void setChecking(bool checking);
+
+    /// From the next frame on each pass draws one triangle with each program that it needs, and no more of the scene: for
+    /// warmUp(), whose pictures nobody sees. What maps hold then is wrong.
+    void setWarmingUp(bool warmingUp);
 
     const FrameStats& render(const FrameInput& input);
 

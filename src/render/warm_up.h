@@ -4,21 +4,10 @@
 
 #include "render/renderer.h"
 
-#include <vector>
-
 namespace tarn {
 
 /// For the options and the water that the renderer has; debug views are left for when they are asked for.
 /// @param water the renderer's
 void warmUp(Renderer& renderer, const WaterBody& water, Progress* progress = nullptr);
-
-/// One of the frames that this takes, for whoever wants to do something else between them.
-struct WarmUpFrame {
-    Options options;
-    float height = 0.0f; ///< of the eye over the water's middle, m
-};
-std::vector<WarmUpFrame> warmUpFrames(const Options& options, const WaterBody& water);
-/// The renderer is left with the frame's options.
-void drawWarmUp(Renderer& renderer, const WarmUpFrame& frame, const WaterBody& water);
 
 } // namespace tarn

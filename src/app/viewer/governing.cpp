@@ -1,6 +1,8 @@
 // With which settings the viewer's picture is drawn (app/viewer/governed_settings.h).
 #include "app/ladder_file.h"
 #include "app/viewer/viewer.h"
+#include "base/progress.h"
+#include "render/warm_up.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +31,47 @@ double drawingMs(const FrameReport& report, bool isSoftware)
     for (const gl::PassTime& time : report.passes)
         if (time.name == "frame") return std::max(time.gpuMs, time.wallMs);
     return 0.0;
+}
+
+/// Ends the building of programs after one that took long, unless that was there already, or when it is to stop.
+class Slice : public Progress
+{
+public:
+    struct Ended {};
+
+    Slice(const std::atomic<bool>& stops, int before) : stops_(stops), before_(before) {}
+
+    void report(double /*fraction*/, const std::string& /*what*/) override
+    {
+        constexpr std::chrono::milliseconds longTime{20};
+        const auto now = std::chrono::steady_clock::now();
+        const bool tookLong = now - last_ > longTime;
+        last_ = now;
+        ++reached_;
+        if (stops_ || (tookLong && reached_ > before_ + 1)) throw Ended{};
+    }
+    int reached() const { return reached_; }
+
+private:
+    const std::atomic<bool>& stops_;
+    int before_, reached_ = 0;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Leaves the renderer as it was. Returns how far it came, to be told the next time, or a negative number at the end.
+int buildSlice(Renderer& renderer, const Options& options, const WaterBody& water, const std::atomic<bool>& stops, int before)
+{
+    const Options drawn = renderer.options();
+    Slice slice(stops, before);
+    int reached = -1;
+    renderer.setOptions(options, water);
+    try {
+        warmUp(renderer, water, &slice);
+    } catch (const Slice::Ended&) {
+        reached = std::max(slice.reached(), before);
+    }
+    renderer.setOptions(drawn, water);
+    return reached;
 }
 
 bool movesWithTime(const WaterBody& water)
@@ -104,32 +147,28 @@ void Viewer::noteDrawn()
     if (ms > 0.0 && !isBuilding) governed_->took({report.options, report.sample, ms, lastFrame_});
 }
 
-/// One tiny frame at a time, so that whatever is touched meanwhile waits for no more than one.
+/// A slice at a time, with frames between, so that neither the waves nor whatever is touched waits for more than a program.
 void Viewer::buildAtRest()
 {
-    if (built_.valid()) {
-        if (built_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-        built_.get();
-        if (toBuild_.empty()) governed_->noteBuilt(building_);
-    }
     const std::optional<Options> wanted = picture_.isFull() ? governed_->toBuild() : std::nullopt;
-    if (!wanted) return toBuild_.clear();
-    const WaterBody& water = stage_.settings.water;
-    if (toBuild_.empty() || !(building_ == *wanted)) {
-        toBuild_ = warmUpFrames(*wanted, water);
-        std::reverse(toBuild_.begin(), toBuild_.end());
-        building_ = *wanted;
+    const bool isSame = wanted && building_ == *wanted;
+    if (built_.valid()) {
+        if (!isSame) *buildingStops_ = true;
+        if (built_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+        builtBefore_ = built_.get();
+        if (builtBefore_ < 0) governed_->noteBuilt(building_);
+        return;
     }
-    const auto promise = std::make_shared<std::promise<void>>();
+    if (!wanted) return;
+    if (!isSame || builtBefore_ < 0) builtBefore_ = 0;
+    building_ = *wanted;
+    buildingStops_ = std::make_shared<std::atomic<bool>>(false);
+    const auto promise = std::make_shared<std::promise<int>>();
     built_ = promise->get_future();
-    picture_.post([promise, frame = toBuild_.back(), water](FrameSource& source) {
-        Renderer& renderer = *source.renderer();
-        const Options before = renderer.options();
-        drawWarmUp(renderer, frame, water);
-        renderer.setOptions(before, water);
-        promise->set_value();
+    picture_.post([promise, options = building_, water = stage_.settings.water, stops = buildingStops_,
+                   before = builtBefore_](FrameSource& source) {
+        promise->set_value(buildSlice(*source.renderer(), options, water, *stops, before));
     });
-    toBuild_.pop_back();
 }
 
 void Viewer::toggleGovernor()

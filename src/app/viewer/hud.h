@@ -32,7 +32,7 @@ void drawHud(const HudState& state, float scale);
 void drawHelp(float scale, bool& open);
 void drawLoading(const SharedProgress::State& state, float scale);
 
-/// "Tarn - lake - 34 fps - water 3.1 ms, …"
+/// "Tarn - lake - 34 fps - water 3.1 ms, …", with "(draft)" while the picture is one
 std::string titleText(const HudState& state);
 
 } // namespace tarn

@@ -12,14 +12,12 @@
 #include "app/viewer/imgui_layer.h"
 #include "app/viewer/scene_clock.h"
 #include "gl/window.h"
-#include "render/warm_up.h"
 
 #include <atomic>
 #include <future>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace tarn
 {
@@ -90,9 +88,10 @@ private:
     std::optional<FrameRequest> asked_; ///< last
     double lastAsk_ = 0.0;           ///< steady seconds
     int answeredAtAsk_ = 0;
-    std::vector<WarmUpFrame> toBuild_; ///< of programs that a better picture needs, the next one last
-    Options building_;               ///< what they are built for
-    std::future<void> built_;        ///< the one under way
+    Options building_;               ///< what programs are built for that a better picture needs
+    std::shared_ptr<std::atomic<bool>> buildingStops_; ///< soon
+    std::future<int> built_;         ///< how many are there; negative: all
+    int builtBefore_ = 0;
     float lastTargetMs_ = 0.0f;      ///< before the governor was switched off
     /// What a person can change beside the settings, as it was when it was last looked at.
     struct Touched {
