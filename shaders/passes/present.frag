@@ -1,5 +1,8 @@
 // From linear radiance to the display: exposure, tone curve, sRGB. Debug views are given colours that a person can read.
 #include "shared/tonemap.glsl"
+#ifdef LUMA
+#include "shared/fxaa.glsl"
+#endif
 
 in vec2 uv;
 
@@ -40,6 +43,9 @@ void main()
 #endif
 #if DISPLAY == 0
     fragment = vec4(srgbColour(mapped), 1.0);
+#ifdef LUMA // for fxaa.frag
+    fragment.a = fxaaLuma(fragment.rgb);
+#endif
 #else
     fragment = vec4(mapped, 1.0);
 #endif

@@ -114,6 +114,7 @@ void run(const BenchCommand& command)
 {
     if (command.interactive) return runInteractive(command);
     requireWritableJson(command.json);
+    if (command.startup) return benchStartup(command);
     TerminalProgress progress;
     const Stage stage = loadStage(command.scene, &progress);
     const SubjectView view{.camera = chooseCamera(stage.scene, command.view.camera),

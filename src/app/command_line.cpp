@@ -111,7 +111,7 @@ void addScene(Flags& flags, SceneArguments& scene)
                 [&scene](const std::string& text, const std::string&) { scene.file = text; });
     flags.list("--set", "KEY=VALUE", "Set an option, such as refraction.steps=3 (see: tarn options)",
                scene.settings.assignments);
-    flags.text("--preset", "NAME", "Options that come with Tarn: low, medium, high, best, thesis",
+    flags.text("--preset", "NAME", "Options that come with Tarn: fast, low, medium, high, best, thesis; auto takes those for the machine",
                scene.settings.preset);
     auto files = std::make_shared<std::vector<std::string>>();
     flags.list("--options", "FILE", "TOML file of options; it wins over --preset, --set over it", *files);
@@ -159,6 +159,11 @@ std::function<Command()> defineView(Flags& flags)
     flags.toggle("--fullscreen", "Fill the screen", command->fullscreen);
     flags.toggle("--vsync,!--no-vsync", "Wait for the screen's refresh (on by default)", command->vsync);
     flags.count("--frames", "Leave after N frames; 0 stays", command->frames, 0, 1000000);
+    flags.number("--fps", "F", "Frames per second to hold by cheaper settings while anything moves (30 by default); 0 shows "
+                              "your settings whatever they take",
+                 command->fps, 0.0, 1000.0);
+    flags.value("--ladder", "FILE", "Settings to hold it by, from tarn trade --write-ladder; the shipped ones by default",
+                [command = command.get()](const std::string& text, const std::string&) { command->ladder = text; });
     flags.value("--reference", "FILE", "A picture of `tarn reference` to see beside the live one",
                 [command = command.get()](const std::string& text, const std::string&) { command->reference = text; });
     return [command] { return *command; };
@@ -281,11 +286,19 @@ std::function<Command()> defineBench(Flags& flags)
                 [command = command.get()](const std::string& text, const std::string& flag) {
                     command->table = &findPaperTable(text, flag);
                 });
+    flags.toggle("--startup",
+                 "Measure when this process, since it began, has its scene, its first picture and all its programs; with "
+                 "MESA_SHADER_CACHE_DIR set to an empty folder that is a first start",
+                 command->startup);
     flags.text("--json", "FILE", jsonDoc, command->json);
     return [command] {
         if (command->interactive && (command->table || command->flight || command->rules || command->yardstick ||
                                      !command->variants.empty()))
             throw UsageError("--interactive has a flight of its own; leave --table, --flight, --rules, --yardstick and "
+                             "--vary away");
+        if (command->startup && (command->table || command->flight || command->rules || command->yardstick ||
+                                 command->interactive || !command->variants.empty()))
+            throw UsageError("--startup measures one start; leave --table, --flight, --rules, --yardstick, --interactive and "
                              "--vary away");
         if (command->table && !command->variants.empty())
             throw UsageError("--table has configurations of its own; leave --vary away");
@@ -326,11 +339,18 @@ std::function<Command()> defineTrade(Flags& flags)
     flags.list("--merge", "DIR",
                "Put another folder's results into --out and measure nothing; may be repeated", *merge);
     flags.toggle("--fresh", "Throw the results in --out away and start anew", c.fresh);
-    flags.value("--write-presets", "DIR", "Write low, medium, high and best.toml, picked from the front",
+    flags.value("--write-presets", "DIR", "Write fast, low, medium, high and best.toml, picked from the front; with --write-ladder fast.toml",
                 [&c](const std::string& text, const std::string&) { c.writePresets = text; });
+    flags.value("--write-ladder", "FILE",
+                "Measure what is cheaper than the settings, and write the front as a ladder for the viewer's governor",
+                [&c](const std::string& text, const std::string&) { c.writeLadder = text; });
     flags.finally([merge, &c] { c.merge.assign(merge->begin(), merge->end()); });
     return [command]() -> Command {
         if (command->out.empty()) throw UsageError("trade needs --out DIR, a folder for its results");
+        if (!command->writeLadder.empty() && (!command->sweeps.empty() || command->grid || command->presetsOnly))
+            throw UsageError("--write-ladder has a plan of its own; leave --sweep, --grid and --presets-only away");
+        if (command->shards > 1 && !command->writeLadder.empty())
+            throw UsageError("--shard measures a part only; leave --write-ladder away");
         if (command->shards > 1 && (!command->merge.empty() || !command->writePresets.empty()))
             throw UsageError("--shard measures a part only; leave --merge and --write-presets away");
         return *command;

@@ -47,6 +47,8 @@ struct ViewCommand {
     bool fullscreen = false;
     bool vsync = true;
     int frames = 0; ///< leaves after so many; 0: stays
+    std::optional<double> fps;     ///< that the governor holds; 0: it is off
+    std::filesystem::path ladder;  ///< that it moves along; empty: the shipped one
     std::filesystem::path reference; ///< a picture of `tarn reference` to compare with; empty: none
 };
 
@@ -73,6 +75,7 @@ struct BenchCommand {
     std::vector<std::string> variants; ///< "key=value": one more configuration each
     bool flight = false; ///< past all of the scene's cameras
     bool yardstick = false; ///< tells every configuration as a multiple of it too
+    bool startup = false; ///< measures the way to the first pictures instead
     bool rules = false;  ///< measures the plan's rules: without each, and without all of them
     bool interactive = false; ///< a recorded flight at its real speed instead
     double seconds = 20.0;    ///< that it takes
@@ -103,6 +106,7 @@ struct TradeCommand {
     std::vector<std::filesystem::path> merge;
     bool fresh = false;
     std::filesystem::path writePresets; ///< folder, or empty
+    std::filesystem::path writeLadder;  ///< file, or empty: the plan is that of a ladder
     std::string commandLine;            ///< as given, for the report
 };
 

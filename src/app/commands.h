@@ -22,6 +22,9 @@ void run(const DisparityCommand& command);
 void run(const OptionsCommand& command);
 void run(const InfoCommand& command);
 
+/// bench --startup.
+void benchStartup(const BenchCommand& command);
+
 /// To the file, or to standard output when it is "-". Does nothing when it is empty.
 void writeJson(const std::string& file, const nlohmann::json& json);
 

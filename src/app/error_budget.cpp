@@ -233,8 +233,9 @@ struct Parts {
         const auto offset = [&](float now) { return fmt::format("{}", std::min(now, least)); };
         add("clip planes", {{"refraction.clip_offset", offset(options().refraction.clipOffset)},
                             {"reflection.clip_offset", offset(options().reflection.clipOffset)}});
-        add("samples of a pixel", {{"frame.msaa", atLeast(4, options().frame.msaa)},
-                                   {"frame.supersampling", atLeast(3, options().frame.supersampling)},
+        add("samples of a pixel", {{"frame.antialiasing", "msaa"},
+                                   {"frame.msaa", atLeast(4, options().frame.msaa)},
+                                   {"frame.scale", fmt::format("{}", std::max(3.0f, options().frame.scale))},
                                    {"frame.anisotropy", "16"}});
     }
 };

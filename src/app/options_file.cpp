@@ -1,9 +1,8 @@
-// Option files, the only part of the program that knows TOML.
+// Option files.
+#include "app/options_table.h"
 #include "app/settings.h"
 #include "base/error.h"
 #include "base/files.h"
-
-#include <toml++/toml.h>
 
 namespace tarn
 {
@@ -48,6 +47,13 @@ void flatten(const toml::table& table, const std::string& prefix, const std::str
 
 } // namespace
 
+std::vector<Assignment> assignmentsOf(const toml::table& table, const std::string& file)
+{
+    std::vector<Assignment> result;
+    flatten(table, "", file, result);
+    return result;
+}
+
 std::vector<Assignment> readOptionsFile(const std::filesystem::path& file)
 {
     const std::string text = readFile(file);
@@ -57,9 +63,7 @@ std::vector<Assignment> readOptionsFile(const std::filesystem::path& file)
     } catch (const toml::parse_error& error) {
         throw UsageError("{}:{}: {}", file.string(), error.source().begin.line, error.description());
     }
-    std::vector<Assignment> result;
-    flatten(table, "", file.string(), result);
-    return result;
+    return assignmentsOf(table, file.string());
 }
 
 } // namespace tarn

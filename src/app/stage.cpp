@@ -1,11 +1,22 @@
 #include "app/stage.h"
 
+#include "app/presets.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/log.h"
+#include "gl/context.h"
 #include "scene/scene_file.h"
 
 namespace tarn
 {
+
+void choosePreset(SettingsArguments& settings, const gl::Context& context)
+{
+    if (settings.preset != "auto") return;
+    const MachinePreset chosen = presetForMachine(context.renderer(), context.isSoftware());
+    settings.preset = chosen.name;
+    log::info("--preset auto: {}", chosen.why);
+}
 
 Stage loadStage(const SceneArguments& arguments, Progress* progress)
 {
@@ -13,7 +24,9 @@ Stage loadStage(const SceneArguments& arguments, Progress* progress)
         arguments.file.empty() ? projectRoot() / "assets" / "lake" / "lake.toml" : arguments.file;
     Stage stage;
     stage.scene = loadScene(file, {arguments.waterLevel, progress});
-    stage.settings = resolveSettings(stage.scene, arguments.settings);
+    SettingsArguments settings = arguments.settings;
+    if (settings.preset == "auto") choosePreset(settings, *gl::makeHeadlessContext({1, 1}));
+    stage.settings = resolveSettings(stage.scene, settings);
     return stage;
 }
 

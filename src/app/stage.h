@@ -8,12 +8,21 @@
 namespace tarn
 {
 
+namespace gl
+{
+class Context;
+}
+
 struct Stage {
     Scene scene;
     Settings settings;
 };
 
-/// Loads the scene that the arguments name (the shipped lake when they name none) and resolves the settings.
+/// Replaces the preset "auto" by the one for the machine, and says so; any other stays.
+void choosePreset(SettingsArguments& settings, const gl::Context& context);
+
+/// Loads the scene that the arguments name (the shipped lake when they name none) and resolves the settings. For the
+/// preset "auto" it makes a headless context and asks it what the machine is.
 Stage loadStage(const SceneArguments& arguments, Progress* progress);
 
 /// The scene's first camera when the name is empty. Throws UsageError, with the flag that named it, when the scene has

@@ -5,6 +5,7 @@
 #include "app/version.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "measure/trade/ladder.h"
 #include "measure/trade/presets.h"
 #include "measure/trade/report.h"
 #include "measure/trade/runner.h"
@@ -20,6 +21,7 @@ namespace tarn {
 namespace {
 
 constexpr std::size_t mostViews = 8; // when none are named
+constexpr std::size_t mostLadderViews = 4;
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -69,12 +71,15 @@ TradeSetup setupOf(const TradeCommand& command, const Stage& stage, const std::v
 {
     TradeSetup setup;
     setup.describe = describerOf(stage.settings);
-    const std::vector<Preset> presets = command.sweeps.empty() ? loadPresets() : std::vector<Preset>{};
-    setup.plan = planTrade({command.sweeps, command.grid, presets, command.presetsOnly}, setup.describe);
+    const bool isLadder = !command.writeLadder.empty();
+    std::vector<Preset> presets = command.sweeps.empty() ? loadPresets() : std::vector<Preset>{};
+    if (isLadder) std::erase_if(presets, [](const Preset& preset) { return preset.name != "thesis"; }); // for `fast`
+    setup.plan = planTrade({command.sweeps, command.grid, presets, command.presetsOnly, isLadder}, setup.describe);
     for (const Camera& camera : views)
         setup.views.push_back(camera.name);
-    setup.takesTurns = command.times.empty();
-    setup.times = command.times.empty() ? std::vector<double>{0.0, 1.7} : command.times;
+    setup.takesTurns = command.times.empty() && !isLadder; // few views, each of them timed
+    setup.times = command.times;
+    if (setup.times.empty()) setup.times = isLadder ? std::vector<double>{0.0} : std::vector<double>{0.0, 1.7};
     setup.about = {{"scene", stage.scene.file.filename().string()},
                    {"content", contentOf(stage.scene)},
                    {"size", fmt::format("{}x{}", command.size.x, command.size.y)},
@@ -127,6 +132,21 @@ void writePresets(const TradeCommand& command, const Stage& stage, const TradeSe
     }
 }
 
+void writeLadder(const TradeCommand& command, const Stage& stage, const TradeSetup& setup, const TradeResults& results)
+{
+    Ladder ladder = pickLadder(setup, results, walkError(setup, results.points));
+    ladder.scene = titleOf(stage.scene);
+    ladder.size = setup.about.at("size");
+    ladder.machine = joined(results.machines);
+    const std::vector<std::string> comment{
+        "What the viewer's governor moves along (docs/governor.md). Costs are ratios to the first rung, which is the",
+        "scene's own settings; flip is the mean FLIP, wrong_hits the fraction of refracted rays that end 5 cm off or more.",
+        fmt::format("Measured by tarn trade {}: {}, {}, mean of {}.", versionText(), ladder.scene, ladder.size,
+                    fmt::join(setup.views, ", "))};
+    writeFile(command.writeLadder, ladderText(setup, ladder, comment));
+    fmt::print("{}\n", command.writeLadder.string());
+}
+
 TradeResults measure(const TradeCommand& command, const Stage& stage, const std::vector<Camera>& views,
                      const TradeSetup& setup, TradeStore& store)
 {
@@ -167,7 +187,8 @@ void run(const TradeCommand& command)
         if (sweep.starts_with("stereo."))
             throw UsageError("--sweep {}: errors are measured in one eye's picture; tarn bench --vary tells what two cost",
                              sweep);
-    const std::vector<Camera> views = chooseViews(stage.scene, command.views, mostViews, "--views");
+    const std::size_t most = command.writeLadder.empty() ? mostViews : mostLadderViews;
+    const std::vector<Camera> views = chooseViews(stage.scene, command.views, most, "--views");
     const TradeSetup setup = setupOf(command, stage, views);
     TradeStore store(command.out, keyOf(setup), command.fresh);
 
@@ -186,6 +207,7 @@ void run(const TradeCommand& command)
     if (command.shards > 1 && !results.complete()) return;
     writeResults(command, stage, setup, store, results);
     if (!command.writePresets.empty()) writePresets(command, stage, setup, results);
+    if (!command.writeLadder.empty() && results.complete()) writeLadder(command, stage, setup, results);
 }
 
 } // namespace tarn

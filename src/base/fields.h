@@ -44,6 +44,8 @@ public:
     virtual void field(const FieldInfo& info, float& value) = 0;
     virtual void field(const FieldInfo& info, vec2& value) = 0;
     virtual void field(const FieldInfo& info, vec3& value) = 0;
+    /// A field of this group that had another name once: that still sets it, with a warning.
+    virtual void renamed(const char* /*oldName*/, const char* /*name*/) {}
     /// One of a set of names; value is its index.
     virtual void choiceIndex(const FieldInfo& info, int& value, std::span<const char* const> names) = 0;
 

@@ -1,6 +1,7 @@
 // Setting a field from text, and saying what is wrong when that fails.
 #include "base/error.h"
 #include "base/fields_path.h"
+#include "base/log.h"
 
 #include <algorithm>
 #include <charconv>
@@ -140,6 +141,29 @@ private:
     bool found_ = false;
 };
 
+/// Finds the present name of a field that is given by an old one.
+class RenameVisitor : public PathVisitor {
+public:
+    explicit RenameVisitor(std::string_view key) : key_(key) {}
+
+    const std::string& present() const { return present_; } ///< empty where the key is no old name
+
+    void field(const FieldInfo&, bool&) override {}
+    void field(const FieldInfo&, int&) override {}
+    void field(const FieldInfo&, float&) override {}
+    void field(const FieldInfo&, vec2&) override {}
+    void field(const FieldInfo&, vec3&) override {}
+    void choiceIndex(const FieldInfo&, int&, std::span<const char* const>) override {}
+    void renamed(const char* oldName, const char* name) override
+    {
+        if (keyOf(FieldInfo{oldName, ""}) == key_) present_ = keyOf(FieldInfo{name, ""});
+    }
+
+private:
+    std::string_view key_;
+    std::string present_;
+};
+
 /// Levenshtein distance.
 std::size_t editDistance(std::string_view a, std::string_view b)
 {
@@ -183,6 +207,13 @@ void assign(const FieldTree& tree, const Assignment& assignment)
     AssignVisitor visitor(assignment);
     tree(visitor);
     if (visitor.found()) return;
+    RenameVisitor renames(assignment.key);
+    tree(renames);
+    if (const std::string& present = renames.present(); !present.empty()) {
+        log::warning("{}: {} is now called {}", assignment.origin, assignment.key, present);
+        assign(tree, {present, assignment.value, assignment.origin});
+        return;
+    }
     const auto nearest = nearestName(assignment.key, visitor.keys());
     throw UsageError("{}: there is no option '{}'; {}", assignment.origin, assignment.key,
                      nearest.empty() ? "'tarn options' lists them" : "did you mean '" + nearest + "'?");

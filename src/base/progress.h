@@ -8,7 +8,7 @@
 
 namespace tarn {
 
-/// The worker reports, a watcher on any thread reads. Throws nothing.
+/// The worker reports, a watcher on any thread reads. Throws nothing, except where it is there to end the work.
 class Progress {
 public:
     virtual ~Progress() = default;

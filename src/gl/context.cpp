@@ -129,6 +129,14 @@ void Context::initialise(bool debug)
     }
     current = askCapabilities();
     listen(debug);
+    listening_ = true;
+}
+
+void Context::listenOnce()
+{
+    if (listening_) return;
+    listening_ = true;
+    listen(false);
 }
 
 std::string Context::renderer() const

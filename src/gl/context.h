@@ -22,6 +22,12 @@ public:
     Context& operator=(const Context&) = delete;
 
     virtual void makeCurrent() = 0;
+    /// Leaves this thread without a context.
+    virtual void release() = 0;
+    /// Another context for one other thread, with the same textures, buffers and programs; vertex arrays, framebuffers
+    /// and queries are each context's own. Call it in the thread that this one was made in; in the other, begin with
+    /// makeCurrent and end with release. Must go before this one does.
+    virtual std::unique_ptr<Context> makeShared() = 0;
     /// In pixels; {0, 0} while a window is minimised. A headless context answers the size it was made with.
     virtual ivec2 framebufferSize() const = 0;
 
@@ -39,9 +45,12 @@ protected:
     /// Error when it is not OpenGL 3.3 core or newer.
     /// @param debug every message at the call that caused it (slower), performance hints in the debug log
     void initialise(bool debug);
+    /// The same for a shared context, each time it becomes current: the functions are loaded.
+    void listenOnce();
 
 private:
     std::string origin_;
+    bool listening_ = false;
 };
 
 /// A context without a window. Throws Error that says what was tried when there is none.

@@ -91,6 +91,13 @@ public:
         }
     }
 
+    /// A context that shares the other's objects, on its display.
+    explicit EglContext(const EglContext& other)
+        : Context("EGL"), display_(other.display_), isShared_(true), size_(1)
+    {
+        createContext(false, other.context_);
+    }
+
     ~EglContext() override { close(); }
 
     void makeCurrent() final
@@ -98,7 +105,16 @@ public:
         if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
             throw Error("EGL cannot use a context without a surface (error {:#x})", eglGetError());
         }
+        if (isShared_) listenOnce();
     }
+
+    void release() override
+    {
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglReleaseThread();
+    }
+
+    std::unique_ptr<Context> makeShared() override { return std::make_unique<EglContext>(*this); }
 
     ivec2 framebufferSize() const override { return size_; }
 
@@ -113,7 +129,7 @@ private:
         }
     }
 
-    void createContext(bool debug)
+    void createContext(bool debug, EGLContext shared = EGL_NO_CONTEXT)
     {
         if (!eglBindAPI(EGL_OPENGL_API)) throw Error("EGL offers no desktop OpenGL");
         const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -131,13 +147,17 @@ private:
                                      EGL_CONTEXT_FLAGS_KHR,
                                      debug ? EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR : 0,
                                      EGL_NONE};
-        context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, attributes);
+        context_ = eglCreateContext(display_, config, shared, attributes);
         if (context_ == EGL_NO_CONTEXT)
             throw Error("no OpenGL 3.3 core context (error {:#x})", eglGetError());
     }
 
     void close()
     {
+        if (isShared_) { // the display and what is current here belong to the other
+            eglDestroyContext(display_, context_);
+            return;
+        }
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
         eglTerminate(display_);
@@ -146,6 +166,7 @@ private:
 
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
+    bool isShared_ = false;
     ivec2 size_;
 };
 

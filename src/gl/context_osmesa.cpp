@@ -28,8 +28,41 @@ class OsmesaContext : public Context
 public:
     OsmesaContext(ivec2 size, bool debug) : Context("OSMesa"), size_(size)
     {
-        if (size.x < 1 || size.y < 1)
-            throw Error("an OSMesa context needs a size, not {}x{}", size.x, size.y);
+        create(nullptr);
+        try {
+            makeCurrent();
+            initialise(debug);
+        } catch (...) {
+            OSMesaDestroyContext(context_);
+            throw;
+        }
+    }
+
+    /// A context that shares the other's objects.
+    explicit OsmesaContext(OSMesaContext other) : Context("OSMesa"), size_(1) { create(other); }
+
+    ~OsmesaContext() override { OSMesaDestroyContext(context_); }
+
+    void makeCurrent() final
+    {
+        if (!OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, size_.x, size_.y)) {
+            throw Error("OSMesa cannot draw into {}x{} pixels", size_.x, size_.y);
+        }
+        if (isShared_) listenOnce();
+    }
+
+    void release() override { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+
+    std::unique_ptr<Context> makeShared() override { return std::make_unique<OsmesaContext>(context_); }
+
+    ivec2 framebufferSize() const override { return size_; }
+
+private:
+    void create(OSMesaContext other)
+    {
+        isShared_ = other != nullptr;
+        if (size_.x < 1 || size_.y < 1)
+            throw Error("an OSMesa context needs a size, not {}x{}", size_.x, size_.y);
         const int attributes[] = {OSMESA_FORMAT,
                                   OSMESA_RGBA,
                                   OSMESA_DEPTH_BITS,
@@ -41,32 +74,14 @@ public:
                                   OSMESA_CONTEXT_MINOR_VERSION,
                                   3,
                                   0};
-        context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+        context_ = OSMesaCreateContextAttribs(attributes, other);
         if (!context_) throw Error("OSMesa gives no OpenGL 3.3 core context; is libosmesa6 up to date?");
-        pixels_.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-        try {
-            makeCurrent();
-            initialise(debug);
-        } catch (...) {
-            OSMesaDestroyContext(context_);
-            throw;
-        }
+        pixels_.resize(4 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y));
     }
 
-    ~OsmesaContext() override { OSMesaDestroyContext(context_); }
-
-    void makeCurrent() final
-    {
-        if (!OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, size_.x, size_.y)) {
-            throw Error("OSMesa cannot draw into {}x{} pixels", size_.x, size_.y);
-        }
-    }
-
-    ivec2 framebufferSize() const override { return size_; }
-
-private:
     OSMesaContext context_ = nullptr;
     ivec2 size_;
+    bool isShared_ = false;
     std::vector<unsigned char> pixels_;
 };
 

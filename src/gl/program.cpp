@@ -14,7 +14,7 @@
 namespace tarn::gl
 {
 
-const Program* Program::current_ = nullptr;
+thread_local const Program* Program::current_ = nullptr;
 
 namespace
 {
@@ -75,7 +75,10 @@ void bindBlocks(Name program, const Bindings& bindings, const std::string& progr
 
 } // namespace
 
-Program::Program(std::string name) : name_(std::move(name)) {}
+Program::Program(std::string name, std::shared_ptr<FirstUses> firstUses)
+    : name_(std::move(name)), firstUses_(std::move(firstUses))
+{
+}
 
 Program::~Program()
 {
@@ -165,6 +168,10 @@ void Program::adopt(Object linked, const Bindings& bindings)
 void Program::use() const
 {
     count(Call::programBind);
+    if (firstUses_->round != countedFor_ && firstUses_->next) {
+        countedFor_ = firstUses_->round;
+        firstUses_->next();
+    }
     glUseProgram(object_.name());
     current_ = this;
     if (!anyDirty_) return;

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,6 +51,12 @@ private:
     Uniform(Program& program, int slot) : program_(&program), slot_(slot) {}
     Program* program_ = nullptr;
     int slot_ = -1;
+};
+
+/// Counts the programs of a library that are used, each once a round: many drivers finish a program at its first draw.
+struct FirstUses {
+    int round = 0; ///< 0: nobody counts
+    std::function<void()> next; ///< before each program's first use in a round
 };
 
 class Program
@@ -118,7 +125,7 @@ private:
     static NameMap<int> assignUnits(Name program, const ActiveMap& active, const Bindings& bindings,
                                     const std::string& programName);
 
-    explicit Program(std::string name);
+    explicit Program(std::string name, std::shared_ptr<FirstUses> firstUses);
     /// Takes over a linked program; throws Error, and stays as it was, when a block has no binding or a value
     /// that was set no longer fits.
     void adopt(Object linked, const Bindings& bindings);
@@ -137,7 +144,9 @@ private:
     mutable std::vector<Slot> slots_;
     mutable bool anyDirty_ = false;
     int generation_ = 0;
-    static const Program* current_;
+    std::shared_ptr<FirstUses> firstUses_;
+    mutable int countedFor_ = 0; ///< FirstUses::round that its first use was counted in
+    static thread_local const Program* current_; ///< of this thread's context
 };
 
 template <typename T> constexpr Program::Type Program::typeOf()

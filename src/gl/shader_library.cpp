@@ -83,13 +83,19 @@ std::shared_ptr<Program> ShaderLibrary::program(const std::string& name, const s
         if (auto existing = entry.program.lock()) return existing;
     }
     Entry entry{{}, name, vertexFile, fragmentFile, defines, {}, {}};
-    const std::shared_ptr<Program> result(new Program(name));
+    const std::shared_ptr<Program> result(new Program(name, firstUses_));
     result->adopt(build(entry), bindings_);
     ++built_;
     entry.program = result;
     watch(entry);
     entries_.push_back(std::move(entry));
     return result;
+}
+
+void ShaderLibrary::countFirstUses(std::function<void()> next)
+{
+    ++firstUses_->round;
+    firstUses_->next = std::move(next);
 }
 
 Object ShaderLibrary::build(Entry& entry) const

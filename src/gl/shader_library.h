@@ -44,6 +44,9 @@ public:
     /// HUD.
     const std::string& lastError() const { return lastError_; }
 
+    /// Calls `next` before the first use of each program from now on, used before or not, until it is called with nothing.
+    void countFirstUses(std::function<void()> next);
+
     /// How many programs were built so far, again for edited files too.
     std::size_t built() const { return built_; }
     /// How many of them because a file changed: what was drawn before may look otherwise now.
@@ -67,6 +70,7 @@ private:
     void watch(const Entry& entry);
     void collectErrors();
 
+    std::shared_ptr<FirstUses> firstUses_ = std::make_shared<FirstUses>();
     std::filesystem::path root_;
     Bindings bindings_;
     std::vector<Entry> entries_;

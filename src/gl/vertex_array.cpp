@@ -74,8 +74,11 @@ void VertexArray::indices(const Buffer& buffer)
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer.name());
 }
 
+thread_local int NoDrawing::count_ = 0;
+
 void VertexArray::draw(Primitive primitive, int first, int count, int instances) const
 {
+    if (NoDrawing::inForce()) return;
     bind();
     gl::count(Call::draw);
     if (instances == 1)
@@ -86,6 +89,7 @@ void VertexArray::draw(Primitive primitive, int first, int count, int instances)
 
 void VertexArray::drawIndexed(Primitive primitive, int first, int count, int instances) const
 {
+    if (NoDrawing::inForce()) return;
     bind();
     gl::count(Call::draw);
     if (instances == 1)
@@ -96,7 +100,7 @@ void VertexArray::drawIndexed(Primitive primitive, int first, int count, int ins
 
 void VertexArray::drawIndexed(Primitive primitive, std::span<const IndexRange> ranges) const
 {
-    if (ranges.empty()) return;
+    if (ranges.empty() || NoDrawing::inForce()) return;
     bind();
     thread_local std::vector<GLsizei> counts; // kept: this runs every frame
     thread_local std::vector<const void*> offsets;

@@ -59,6 +59,20 @@ private:
 
 /// Draws a triangle that covers the viewport, from gl_VertexID alone (shaders/passes/fullscreen.vert).
 /// Owns an empty vertex array: core profiles draw nothing without one.
+/// While one lives, this thread draws nothing: programs, states and targets change as ever.
+class NoDrawing
+{
+public:
+    NoDrawing() { ++count_; }
+    ~NoDrawing() { --count_; }
+    NoDrawing(const NoDrawing&) = delete;
+    NoDrawing& operator=(const NoDrawing&) = delete;
+    static bool inForce() { return count_ > 0; }
+
+private:
+    static thread_local int count_;
+};
+
 class FullscreenTriangle
 {
 public:

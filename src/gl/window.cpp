@@ -32,7 +32,7 @@ void releaseGlfw()
     if (--users == 0) glfwTerminate();
 }
 
-GLFWwindow* open(const WindowDesc& desc)
+GLFWwindow* open(const WindowDesc& desc, GLFWwindow* shared = nullptr)
 {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
@@ -43,7 +43,7 @@ GLFWwindow* open(const WindowDesc& desc)
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, desc.debug ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_VISIBLE, desc.visible ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    return glfwCreateWindow(desc.size.x, desc.size.y, desc.title.c_str(), nullptr, nullptr);
+    return glfwCreateWindow(desc.size.x, desc.size.y, desc.title.c_str(), nullptr, shared);
 }
 
 } // namespace
@@ -73,6 +73,16 @@ Window::Window(const WindowDesc& desc) : Context("The window")
     }
 }
 
+Window::Window(GLFWwindow* other) : Context("The window"), isShared_(true)
+{
+    if (!acquireGlfw()) throw Error("no second context can be made: {}", lastGlfwError());
+    window_ = open({.size = {16, 16}, .visible = false}, other);
+    if (window_) return;
+    const std::string reason = lastGlfwError();
+    releaseGlfw();
+    throw Error("no second context can be made: {}", reason);
+}
+
 Window::~Window()
 {
     glfwDestroyWindow(window_);
@@ -82,6 +92,17 @@ Window::~Window()
 void Window::makeCurrent()
 {
     glfwMakeContextCurrent(window_);
+    if (isShared_) listenOnce();
+}
+
+void Window::release()
+{
+    glfwMakeContextCurrent(nullptr);
+}
+
+std::unique_ptr<Context> Window::makeShared()
+{
+    return std::unique_ptr<Context>(new Window(window_));
 }
 
 ivec2 Window::framebufferSize() const

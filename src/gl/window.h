@@ -29,6 +29,9 @@ public:
     ~Window() override;
 
     void makeCurrent() override;
+    void release() override;
+    /// A window that is never shown.
+    std::unique_ptr<Context> makeShared() override;
     /// In pixels; {0, 0} while minimised.
     ivec2 framebufferSize() const override;
 
@@ -42,7 +45,10 @@ public:
     GLFWwindow* handle() const { return window_; }
 
 private:
+    explicit Window(GLFWwindow* other);
+
     GLFWwindow* window_ = nullptr;
+    bool isShared_ = false;
 };
 
 } // namespace tarn::gl

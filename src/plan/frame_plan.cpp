@@ -193,6 +193,19 @@ const char* presentReason(StereoOptions::Output output)
     return "tone mapping to the display";
 }
 
+/// What becomes of the frame after the tone curve, or before it, until it is a picture of its size; "" when nothing.
+std::string finishing(ivec2 size, const FrameOptions& options)
+{
+    std::string text;
+    if (options.antialiasing == FrameOptions::Antialiasing::fxaa) text += "; edges smoothed by FXAA";
+    const ivec2 drawn = scaledSize(size, options);
+    if (drawn.x < size.x || drawn.y < size.y)
+        text += fmt::format("; upscaled from {}x{}, {}", drawn.x, drawn.y,
+                            options.upscaler == FrameOptions::Upscaler::edge ? "following edges" : "bilinear");
+    else if (drawn != size) text += fmt::format("; the mean of {}x{}", drawn.x, drawn.y);
+    return text;
+}
+
 /// The maps of heights that are marched through: drawn, or given.
 void planHeights(FramePlan& plan, const Options& options, const SceneMaps& maps)
 {
@@ -270,13 +283,19 @@ ivec2 glowSize(ivec2 size, const Options& options) { return glm::max(size / opti
 
 } // namespace
 
+ivec2 scaledSize(ivec2 picture, const FrameOptions& options)
+{
+    return glm::max(ivec2(glm::round(vec2(picture) * options.scale)), ivec2(1));
+}
+
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
                     ivec2 size, double time, const DepthComplexity* complexity, const Sight* sight)
 {
     FramePlan plan;
-    plan[PassId::scene] = wanted("what the eye sees, without the water", size * options.frame.supersampling, "");
+    plan[PassId::scene] = wanted("what the eye sees, without the water", scaledSize(size, options.frame), "");
     plan[PassId::present] =
-        wanted(presentReason(options.stereo.output), presentedSize(size, options.stereo.output), "scene, water");
+        wanted(presentReason(options.stereo.output) + finishing(size, options.frame),
+               presentedSize(size, options.stereo.output), "scene, water");
 
     plan.underwater = water.present && options.water.enabled && options.underwater.enabled &&
                       overWaterRect(water, camera.eye) &&
@@ -307,7 +326,7 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     plan[PassId::water] = wanted(bySide("the surface is in the view",
                                         "the surface cuts the near plane: drawn from both sides",
                                         "the surface seen from below"),
-                                 size * options.frame.supersampling, "scene");
+                                 scaledSize(size, options.frame), "scene");
     const HeightMapPicture* const givenBed = scene.maps.bed.picture ? &*scene.maps.bed.picture : nullptr;
     planWaterLookups(plan, options, scene.maps, chooseRefraction(options, water, camera, size, complexity, givenBed),
                      chooseReflection(options, complexity));

@@ -72,6 +72,9 @@ float drawnHeight(const WaterBody& water, const optics64::WaterGrid& grid, vec2 
 /// @param aspect width / height of the picture   @param time seconds
 WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, const Camera& camera, float aspect, double time);
 
+/// Of what is drawn for a picture with frame.scale, pixels; at least 1x1.
+ivec2 scaledSize(ivec2 picture, const FrameOptions& options);
+
 /// @param camera of one eye, in stereo   @param size of the picture, or of one eye's, pixels   @param time seconds
 /// @param complexity what the methods auto go by; null where none is
 /// @param sight what the rules go by; null: nothing is known of what the cameras see

@@ -10,6 +10,8 @@ namespace
 
 // In the order of the enumerations' values.
 constexpr std::array toneCurveNames{"linear", "reinhard", "aces"};
+constexpr std::array upscalerNames{"bilinear", "edge"};
+constexpr std::array antialiasingNames{"none", "fxaa", "msaa"};
 constexpr std::array waterGridNames{"uniform", "focused"};
 constexpr std::array waterNormalsNames{"pixel", "vertex"};
 constexpr std::array refractionMethodNames{"planar", "iterative", "raycast", "combined", "auto"};
@@ -31,10 +33,25 @@ void visit(FieldVisitor& v, FrameOptions& o)
 {
     v.field({"exposure", "Factor on the radiance before the tone curve", "", 0.0, 1000.0}, o.exposure);
     v.choice({"tone_curve", "How radiance becomes the 0 to 1 of the screen"}, o.toneCurve, toneCurveNames);
-    v.field({"msaa", "Samples per pixel of the scene and water passes; 1 is off", "samples", 1, 16}, o.msaa);
-    v.field({"supersampling", "Shaded pixels along one edge of a pixel of the picture; 1 is off", "pixels", 1, 8},
-            o.supersampling);
+    v.field({"scale", "Pixels that are drawn along one edge of a pixel of the picture: fewer are upscaled, more are averaged "
+                      "before the tone curve",
+             "pixels", 0.25, 8.0},
+            o.scale);
+    v.renamed("supersampling", "scale");
+    v.choice({"upscaler", "How a picture that was drawn smaller is brought to its size: bilinear, or by a kernel that follows "
+                          "edges (FSR 1)"},
+             o.upscaler, upscalerNames);
+    v.choice({"antialiasing", "What smooths edges: nothing, a filter of the shown picture (FXAA), or samples of each pixel "
+                              "(frame.msaa)"},
+             o.antialiasing, antialiasingNames);
+    v.field({"msaa", "Samples per pixel of the scene and water passes with frame.antialiasing = msaa; 1 is off", "samples", 1,
+             16},
+            o.msaa);
     v.field({"anisotropy", "Largest anisotropy of texture filtering; 1 is off", "", 1.0, 16.0}, o.anisotropy);
+    v.field({"target_ms", "Time of a frame that the viewer's governor keeps to by cheaper settings while anything moves; 0 is "
+                          "off. Of no effect outside the viewer",
+             "ms", 0.0, 10000.0},
+            o.targetMs);
 }
 
 void visit(FieldVisitor& v, DetailOptions& o)

@@ -12,11 +12,19 @@ namespace tarn {
 
 struct FrameOptions {
     enum class ToneCurve { linear, reinhard, aces };
+    enum class Upscaler { bilinear, edge };
+    enum class Antialiasing { none, fxaa, msaa };
     float exposure = 1.0f;
     ToneCurve toneCurve = ToneCurve::aces;
+    float scale = 1.0f;
+    Upscaler upscaler = Upscaler::edge;
+    Antialiasing antialiasing = Antialiasing::msaa;
     int msaa = 4;
-    int supersampling = 1;
     float anisotropy = 8.0f;
+    float targetMs = 33.3f;
+
+    /// Of each pixel that is drawn.
+    int samples() const { return antialiasing == Antialiasing::msaa ? msaa : 1; }
     bool operator==(const FrameOptions&) const = default;
 };
 

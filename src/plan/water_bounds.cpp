@@ -188,7 +188,7 @@ TargetBounds mirrorBounds(const WaterBody& water, const Camera& camera, const Op
 {
     if (water.normalMap.isSeen()) return {}; // whose slopes have no bound
     // Nor have those between a triangle's corners where it is gone on with beside them.
-    if (options.water.normals == WaterOptions::Normals::vertex && options.frame.msaa > 1) return {};
+    if (options.water.normals == WaterOptions::Normals::vertex && options.frame.samples() > 1) return {};
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     const float height = camera.eye.y - water.level, amplitude = totalAmplitude(water);
     const std::vector<vec3> corners = visibleCorners(water, camera, aspect);
@@ -199,7 +199,7 @@ TargetBounds mirrorBounds(const WaterBody& water, const Camera& camera, const Op
 
     const float halfPixel = 0.5f * glm::length(pixelOf(picture, size));
     float beside = 0.0f;
-    if (options.frame.msaa > 1) {
+    if (options.frame.samples() > 1) {
         const vec3 up = mat3(viewFromWorld(camera)) * vec3(0.0f, 1.0f, 0.0f);
         beside = riseBeside(corners, up, std::atan(steepestTriangle(water)), halfPixel);
         if (beside < 0.0f) return {};

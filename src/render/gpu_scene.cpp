@@ -26,34 +26,44 @@ void GpuScene::uploadMeshes()
     meshes_.resize(scene_.meshes.size());
     for (std::size_t i = 0; i < meshes_.size(); ++i) {
         const Mesh& mesh = scene_.meshes[i];
-        GpuMesh& gpu = meshes_[i];
-        gpu.vertices = gl::Buffer(mesh.name + " vertices");
-        gpu.vertices.upload(std::span(mesh.vertices));
-        gpu.indices = gl::Buffer(mesh.name + " indices");
+        MeshBuffers& buffers = meshes_[i].buffers;
+        buffers.vertices = std::make_shared<gl::Buffer>(mesh.name + " vertices");
+        buffers.vertices->upload(std::span(mesh.vertices));
         uploadIndices(i, {});
-        geometryBytes_ += gpu.vertices.size() + gpu.indices.size();
-        gpu.array = gl::VertexArray(mesh.name);
-        gpu.array.attributes(gpu.vertices, sizeof(Vertex),
-                             {{0, 3, offsetof(Vertex, position)},
-                              {1, 3, offsetof(Vertex, normal)},
-                              {2, 4, offsetof(Vertex, tangent)},
-                              {3, 2, offsetof(Vertex, uv)},
-                              {4, 4, offsetof(Vertex, colour), gl::Attribute::Type::unorm8}});
-        gpu.array.indices(gpu.indices);
+        geometryBytes_ += buffers.vertices->size() + buffers.indices->size();
     }
 }
 
-/// A mesh's own triangles, and further ones of the same vertices after them.
+gl::VertexArray meshVertexArray(const std::string& label, const MeshBuffers& buffers)
+{
+    gl::VertexArray array(label);
+    array.attributes(*buffers.vertices, sizeof(Vertex),
+                     {{0, 3, offsetof(Vertex, position)},
+                      {1, 3, offsetof(Vertex, normal)},
+                      {2, 4, offsetof(Vertex, tangent)},
+                      {3, 2, offsetof(Vertex, uv)},
+                      {4, 4, offsetof(Vertex, colour), gl::Attribute::Type::unorm8}});
+    array.indices(*buffers.indices);
+    return array;
+}
+
+/// A mesh's own triangles, and further ones of the same vertices after them. In a new buffer: another context may be
+/// drawing from the old one.
 void GpuScene::uploadIndices(std::size_t mesh, const std::vector<std::uint32_t>& further)
 {
     const std::vector<std::uint32_t>& own = scene_.meshes[mesh].indices;
-    gl::Buffer& buffer = meshes_[mesh].indices;
-    if (further.empty()) return buffer.upload(std::span(own));
-    std::vector<std::uint32_t> all;
-    all.reserve(own.size() + further.size());
-    all.insert(all.end(), own.begin(), own.end());
-    all.insert(all.end(), further.begin(), further.end());
-    buffer.upload(std::span(std::as_const(all)));
+    GpuMesh& gpu = meshes_[mesh];
+    gpu.buffers.indices = std::make_shared<gl::Buffer>(scene_.meshes[mesh].name + " indices");
+    if (further.empty()) {
+        gpu.buffers.indices->upload(std::span(own));
+    } else {
+        std::vector<std::uint32_t> all;
+        all.reserve(own.size() + further.size());
+        all.insert(all.end(), own.begin(), own.end());
+        all.insert(all.end(), further.begin(), further.end());
+        gpu.buffers.indices->upload(std::span(std::as_const(all)));
+    }
+    gpu.array = meshVertexArray(scene_.meshes[mesh].name, gpu.buffers);
 }
 
 bool GpuScene::wantDetail(Progress* progress)

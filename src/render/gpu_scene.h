@@ -10,12 +10,21 @@
 #include "scene/sky.h"
 
 #include <map>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace tarn {
 
 class Progress;
+
+/// A mesh's vertices, laid out as Vertex, and indices. Shared, since another context may draw from them, too.
+struct MeshBuffers {
+    std::shared_ptr<gl::Buffer> vertices, indices;
+};
+/// For the current context, whose vertex arrays are its own.
+gl::VertexArray meshVertexArray(const std::string& label, const MeshBuffers& buffers);
 
 class GpuScene {
 public:
@@ -27,6 +36,7 @@ public:
     const Chunks& chunks() const { return chunks_; }
     const SkyModel& sky() const { return sky_; }
     const gl::Texture& skyMap() const { return skyMap_; }
+    const MeshBuffers& buffers(int mesh) const { return meshes_[static_cast<std::size_t>(mesh)].buffers; }
     const gl::VertexArray& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)].array; }
 
     /// How a map's values are meant: colours are sRGB-encoded, the rest is linear.
@@ -56,7 +66,7 @@ private:
     void bakeSky();
 
     struct GpuMesh {
-        gl::Buffer vertices, indices;
+        MeshBuffers buffers;
         gl::VertexArray array;
     };
 

@@ -10,7 +10,7 @@ namespace tarn {
 Moment momentOf(const FrameInput& input, const Options& options, const WaterBody& water, std::size_t rebuilt)
 {
     const bool isStill = totalAmplitude(water) == 0.0f && !water.normalMap.isSeen();
-    return {options, water, input.camera, isStill ? 0.0 : input.time, input.size, input.view, rebuilt};
+    return {options, water, input.camera, isStill ? 0.0 : input.time, input.size, input.view, rebuilt, input.sample};
 }
 
 bool CausticsKey::operator==(const CausticsKey& other) const
@@ -49,6 +49,7 @@ bool Kept::target(PassId pass, const Camera& camera, WaterSide side, const Targe
     TargetKey key{moment_, side, bounds, hasCaustics, hasCaustics && showsCaustics ? causticsDrawn_ : 0};
     key.moment.camera = camera;
     key.moment.time = 0.0;
+    key.moment.sample = 0;
     key.moment.view = DebugView::final;
     LastDrawn<TargetKey>& last = pass == PassId::refraction ? refraction_ : reflection_;
     return keeps(RuleId::keepTargets, pass, last.holds(key));

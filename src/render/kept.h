@@ -39,6 +39,7 @@ struct Moment {
     ivec2 size{0};
     DebugView view = DebugView::final;
     std::size_t rebuilt = 0; ///< programs, because their files were edited
+    int sample = 0;          ///< of those that are averaged
     bool operator==(const Moment&) const = default;
 };
 
@@ -80,7 +81,7 @@ public:
 
 private:
     struct TargetKey {
-        Moment moment; ///< its time 0, its view the final one
+        Moment moment; ///< its time and sample 0, its view the final one
         WaterSide side = WaterSide::above;
         TargetBounds bounds;
         bool hasCaustics = false;

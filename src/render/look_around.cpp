@@ -1,5 +1,6 @@
 #include "render/look_around.h"
 
+#include "plan/frame_plan.h"
 #include "render/view.h"
 #include "render/visibility.h"
 
@@ -50,7 +51,7 @@ Sight lookAround(const std::vector<SceneBox>& boxes, const Scene& scene, const W
     const View refraction = refractionView(camera, aspect, water, options, false);
     View mirrored = reflectionView(camera, aspect, water, options.reflection, false);
     if (options.plan.allows(RuleId::targetBounds))
-        mirrored.lookedUp = mirrorBounds(water, camera, options, size * options.frame.supersampling);
+        mirrored.lookedUp = mirrorBounds(water, camera, options, scaledSize(size, options.frame));
     const WaterCover cover = waterCover(water), none;
     Sight sight;
     sight.mirrors = sight.seesBed = sight.mainReceives = sight.refractionReceives = sight.reflectionReceives = false;

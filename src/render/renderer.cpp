@@ -5,19 +5,23 @@
 #include "base/log.h"
 #include "gl/workarounds.h"
 #include "plan/reduce.h"
+#include "plan/refinement.h"
 #include "render/bed_detail.h"
 #include "render/bindings.h"
 #include "render/drawing.h"
 #include "render/frame_light.h"
 #include "render/height_maps.h"
 #include "render/look_around.h"
+#include "render/passes/accumulate.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
+#include "render/passes/fxaa.h"
 #include "render/passes/glow.h"
 #include "render/passes/occlusion.h"
 #include "render/passes/present.h"
 #include "render/passes/scene_pass.h"
 #include "render/passes/stereo.h"
+#include "render/passes/upscale.h"
 #include "render/passes/water.h"
 #include "render/passes/waterline.h"
 #include "render/read_back.h"
@@ -101,12 +105,17 @@ bool allowsDetail(const Options& options) { return options.plan.enabled && !opti
 
 } // namespace
 
+std::unique_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress)
+{
+    return std::make_unique<GpuScene>(scene, anisotropyFor(options.frame), progress);
+}
+
 struct Renderer::State {
-    State(const Scene& s, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p, Progress* progress)
-        : scene(s), options(o), water(s.water), shaders(library),
-          gpuScene(s, anisotropyFor(o.frame), progress), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
+    State(std::unique_ptr<GpuScene> uploaded, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p)
+        : scene(uploaded->scene()), options(o), water(scene.water), shaders(library),
+          uploadedScene(std::move(uploaded)), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
           waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
-          presentPass(shaders), debugCopy(shaders), stereo(shaders)
+          accumulate(shaders), presentPass(shaders), fxaa(shaders), upscale(shaders), debugCopy(shaders), stereo(shaders)
     {
     }
 
@@ -114,7 +123,8 @@ struct Renderer::State {
     Options options;
     WaterBody water;
     gl::ShaderLibrary& shaders;
-    GpuScene gpuScene;
+    std::unique_ptr<GpuScene> uploadedScene;
+    GpuScene& gpuScene = *uploadedScene;
     ScenePainter painter;
     Drawing drawing;
     Bounds bounds; ///< of the scene, world space
@@ -141,18 +151,23 @@ struct Renderer::State {
     gl::VisibilityQuery slab; ///< whether the box that the surface moves in is seen
     GlowPass glowPass;
     DownsamplePass downsample;
+    AccumulatePass accumulate;
     PresentPass presentPass;
+    FxaaPass fxaa;
+    UpscalePass upscale;
     DebugCopyPass debugCopy;
     StereoPass stereo;
 
     const gl::Target* glow = nullptr;  ///< of this frame, or null
     const gl::Texture* sideOfPixels = nullptr; ///< of a frame that shows both sides of the surface, or null
-    const gl::Target* shown = nullptr; ///< what the last frame presented, before the tone curve
+    const gl::Target* shown = nullptr; ///< what the last frame presented, before tone curve and upscaling
+    const gl::Target* display = nullptr; ///< the same as it is shown, of the picture's size
+    ivec2 presented{1}; ///< the last frame's size, both eyes' beside each other
     const gl::Target* beside = nullptr; ///< both eyes' displayed halves, or null for one eye
     const gl::Target* anaglyph = nullptr; ///< made of them, or null
 
     // Of this frame, or of the eye that is being drawn.
-    ivec2 drawnSize{1};      ///< of the frame, pixels: the picture's or a multiple of it
+    ivec2 drawnSize{1};      ///< of the frame, pixels
     View main;
     Sight sight;
     bool looksUpAnew = true; ///< maps and targets are not as the last frame left them
@@ -164,7 +179,8 @@ struct Renderer::State {
     void takeOptions(const Options& wanted, const WaterBody& body);
     void drawEye(const FrameInput& input, const Camera& head);
     void drawBothEyes(const FrameInput& input);
-    const gl::Target& displayed() const { return anaglyph ? *anaglyph : beside ? *beside : presentPass.target(); }
+    const gl::Target& displayed() const;
+    const gl::Target& linear();
     void beginEye(const FrameInput& input, const Camera& head);
     const FramePlan& plan() const { return drawing.plan(); }
     void drawMaps(const Camera& head);
@@ -182,8 +198,15 @@ struct Renderer::State {
 
 Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
                    Progress* progress)
-    : state_(std::make_unique<State>(scene, options, shaders, profiler, progress))
+    : Renderer(uploadScene(scene, options, progress), options, shaders, profiler, progress)
 {
+}
+
+Renderer::Renderer(std::unique_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
+                   gl::Profiler& profiler, Progress* progress)
+    : state_(std::make_unique<State>(std::move(uploaded), options, shaders, profiler))
+{
+    const Scene& scene = state_->scene;
     if (scene.pointLights.size() + scene.spotLights.size() > static_cast<std::size_t>(blocks::maxLights))
         log::warning("{}: {} point and spot lights, but only the first {} are drawn", scene.file.string(),
                      scene.pointLights.size() + scene.spotLights.size(), blocks::maxLights);
@@ -209,7 +232,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
     lit.dithersCutOuts = dithersCutOuts(options.frame);
     PaintStyle main = lit;
     main.sunDisc = true;
-    main.alphaToCoverage = options.frame.msaa > 1 && !lit.dithersCutOuts;
+    main.alphaToCoverage = options.frame.samples() > 1 && !lit.dithersCutOuts;
     state_->painter.prepare(main, false);
     if (watery) state_->painter.prepare(lit, true);
     state_->occlusionPass.prepare();
@@ -246,9 +269,13 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
                   longestBedEdge, bedEdge);
 }
 
+gl::ShaderLibrary& Renderer::shaders() { return state_->shaders; }
+
 const Options& Renderer::options() const { return state_->options; }
 
 void Renderer::setChecking(bool checking) { state_->drawing.checking = checking; }
+
+void Renderer::setWarmingUp(bool warmingUp) { state_->painter.setWarmingUp(warmingUp); }
 
 const std::vector<BadPixels>& Renderer::badPixels() const { return state_->drawing.bad; }
 
@@ -283,10 +310,16 @@ const FrameStats& Renderer::render(const FrameInput& input)
 /// @param head what does not depend on the eye is drawn for this camera
 void Renderer::State::drawEye(const FrameInput& input, const Camera& head)
 {
+    const auto goOn = [&] {
+        if (input.abandoned && *input.abandoned) throw FrameAbandoned{};
+    };
     beginEye(input, head);
     if (looksUpAnew) drawMaps(head);
+    goOn();
     drawScene(input);
+    goOn();
     drawWaterIfSeen(input);
+    goOn();
     if (plan()[PassId::glow].wanted) drawGlow(input);
     present(input);
 }
@@ -297,7 +330,7 @@ void Renderer::State::drawBothEyes(const FrameInput& input)
         const Camera camera = eyeCamera(input.camera, options.stereo, eye);
         drawEye({camera, input.time, input.size, input.view}, input.camera);
         gl::PassScope scope(drawing.profiler, passName(PassId::present));
-        stereo.take(eye, *shown, presentPass.target());
+        stereo.take(eye, *shown, *display);
     }
     shown = &stereo.linear();
     beside = &stereo.display();
@@ -312,6 +345,9 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
     Options allowed = options;
     if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
+    const int sample = options.stereo.isOn() || wantsRawValues(input.view) ? 0 : input.sample;
+    // The samples of an edge's pixels look things up half a pixel beyond what is bounded for their middles.
+    if (sample > 0) allowed.plan.rules[static_cast<std::size_t>(RuleId::targetBounds)] = false;
     sight = lookAround(boxes, scene, water, input.camera, input.size, allowed, light);
     hiddenBlocks.takeAnswers();
     sight.waterWasHidden = hiddenBlocks.wereAllHidden() && OcclusionPass::canAsk(waterBounds(water), input.camera.eye) &&
@@ -326,9 +362,12 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     isBelow = plan().side == WaterSide::below;
     isCrossing = plan().side == WaterSide::crossing;
     main = mainView(input.camera, aspect);
+    if (sample > 0)
+        main.clipFromView =
+            glm::translate(mat4(1.0f), vec3(2.0f * jitterOf(sample) / vec2(glm::min(input.size, plan()[PassId::scene].size)), 0.0f)) *
+            main.clipFromView;
     // How far off geometry may be. The maps of heights hold full detail: what marches through them goes closer.
-    main.geometryError =
-        geometryErrorOf(main, glm::max(input.size, plan()[PassId::scene].size), options.detail.pixels);
+    main.geometryError = geometryErrorOf(main, plan()[PassId::scene].size, options.detail.pixels);
     targets.begin(targetInputs(input), plan());
     for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(drawing.stats.plan.waterGrid[axis]);
     frameBlock.update(light);
@@ -402,7 +441,7 @@ void Renderer::State::drawScene(const FrameInput& input)
     frame.ensure({.size = drawnSize,
                   .colours = {raw ? gl::Format::rgba32f : gl::Format::rgba16f},
                   .depth = gl::Format::depth24,
-                  .samples = raw ? 1 : options.frame.msaa});
+                  .samples = raw ? 1 : options.frame.samples()});
 
     ScenePass::Inputs inputs{.view = main, .style = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
     if (isWaterView(input.view)) { // what hides the water is all that they need
@@ -510,8 +549,11 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
     case DebugView::caustics:
         return plan()[PassId::caustics].wanted ? debugCopy.colour(sun.caustics().colour(), size)
                                                    : debugCopy.nothing(size);
-    default: return downsample.draw(frame, size);
+    default: break;
     }
+    // What was drawn smaller is upscaled as it is shown, after the tone curve.
+    const bool isSmaller = drawnSize.x < size.x || drawnSize.y < size.y;
+    return isSmaller ? frame : downsample.draw(frame, size);
 }
 
 void Renderer::State::present(const FrameInput& input)
@@ -520,8 +562,27 @@ void Renderer::State::present(const FrameInput& input)
     frame.resolveColour();
     if (input.view == DebugView::sceneDepth) frame.resolveDepth();
     shown = &selectShown(input);
-    presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view);
-    drawing.check(PassId::present, presentPass.target());
+    if (input.sample > 0 && !options.stereo.isOn() && !wantsRawValues(input.view))
+        shown = &accumulate.add(*shown, input.sample);
+    const bool smooths = options.frame.antialiasing == FrameOptions::Antialiasing::fxaa && !wantsRawValues(input.view);
+    display = &presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view, smooths);
+    if (smooths) display = &fxaa.draw(display->colour());
+    if (display->size() != input.size) display = &upscale.draw(display->colour(), input.size, options.frame.upscaler);
+    presented = presentedSize(input.size, options.stereo.output);
+    drawing.check(PassId::present, *display);
+}
+
+const gl::Target& Renderer::State::displayed() const
+{
+    if (!display) throw Error("no frame has been rendered yet");
+    return anaglyph ? *anaglyph : beside ? *beside : *display;
+}
+
+/// The radiance of the last frame, of its picture's size. In an upscaled frame nobody else needs it: made when it is read.
+const gl::Target& Renderer::State::linear()
+{
+    if (shown->size() == presented) return *shown;
+    return upscale.drawLinear(shown->colour(), presented, options.frame, beside ? 2 : 1);
 }
 
 void Renderer::presentToWindow(ivec2 windowSize) const
@@ -530,6 +591,8 @@ void Renderer::presentToWindow(ivec2 windowSize) const
     state_->displayed().framebuffer().blitTo(window, {.filter = gl::Filter::linear});
     window.bind();
 }
+
+const gl::Framebuffer& Renderer::display() const { return state_->displayed().framebuffer(); }
 
 Image Renderer::readDisplay() const { return readBytes(state_->displayed().framebuffer()); }
 
@@ -540,7 +603,7 @@ Image Renderer::readLinear() const
     if (s.anaglyph)
         throw Error("an anaglyph is made of what a display shows and has no radiance; stereo.output = side_by_side or "
                     "pair has");
-    return readFloats(s.shown->framebuffer());
+    return readFloats(state_->linear().framebuffer());
 }
 
 const HeightField* Renderer::heightField() const

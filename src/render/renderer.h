@@ -14,6 +14,7 @@
 #include "render/sun_views.h"
 #include "scene/scene.h"
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,8 +22,10 @@
 
 namespace tarn {
 
+class GpuScene;
 class Progress;
 namespace gl {
+class Framebuffer;
 class ShaderLibrary;
 class Profiler;
 } // namespace gl
@@ -39,7 +42,16 @@ struct FrameInput {
     /// look up stays, and only the picture is drawn anew. For several debug views of one moment. Of no effect in stereo,
     /// where what is looked up is the other eye's.
     bool sameMoment = false;
+    /// From 1: of the samples of a moment that are averaged, the how-many-eth this frame is. It is jittered within a pixel,
+    /// and what is shown is the mean of all so far. Everything else is that of the frames before. 0: this frame alone. Of no
+    /// effect in debug views and in stereo.
+    int sample = 0;
+    /// Looked at between passes: once it is true, render() throws FrameAbandoned. Null: the frame is drawn to its end.
+    const std::atomic<bool>* abandoned = nullptr;
 };
+
+/// Nobody waits for the frame any more. What the renderer shows is undefined until the next one.
+struct FrameAbandoned {};
 
 /// What a frame did. Valid until the next one.
 struct FrameStats {
@@ -72,12 +84,19 @@ struct CausticsMap {
     vec3 toSun{0.0f};        ///< towards the sun under water: the light of a point crosses the plane along it
 };
 
+/// Meshes, textures and sky on the graphics card, as a renderer with these options needs them. Keeps a reference to the
+/// scene. A thread of its own may do it, in a context of the same share group (render/frame_thread.h).
+std::unique_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress);
+
 class Renderer {
 public:
     /// Uploads the scene, bakes its sky and compiles every shader that the options ask for. Keeps references to all
     /// but the progress. Throws Error when a shader does not compile.
     Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
              Progress* progress = nullptr);
+    /// The same with a scene that is uploaded already.
+    Renderer(std::unique_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
+             gl::Profiler& profiler, Progress* progress = nullptr);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -86,14 +105,21 @@ public:
     void setOptions(const Options& options, const WaterBody& water);
 
     const Options& options() const;
+    gl::ShaderLibrary& shaders();
 
     /// Count NaN, infinity and negative radiance in every target from the next frame on (slow: reads them all back).
     void setChecking(bool checking);
+
+    /// From the next frame on each pass draws one triangle with each program that it needs, and no more of the scene: for
+    /// warmUp(), whose pictures nobody sees. What maps hold then is wrong.
+    void setWarmingUp(bool warmingUp);
 
     const FrameStats& render(const FrameInput& input);
 
     /// Copies the last frame's picture to the default framebuffer of the window.
     void presentToWindow(ivec2 windowSize) const;
+    /// The last frame's picture as it is shown; in stereo as readDisplay has it.
+    const gl::Framebuffer& display() const;
 
     /// The last frame as it is shown: 8-bit sRGB, three channels. In stereo an anaglyph, or the left eye's picture on the
     /// left of the right one's.

@@ -3,6 +3,8 @@
 #include "gl/state.h"
 #include "render/unrolled.h"
 
+#include <set>
+
 namespace tarn {
 
 namespace {
@@ -212,6 +214,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
     int lastMaterial = -1;
     int lastInstance = -1;
     int lastState = -1;
+    std::set<std::pair<const gl::Program*, int>> warm; // with the state
     for (const Chunk* chunk : chunks) {
         const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
         if (style.countsFaces && (material.twoSided || material.alphaTested)) continue; // sheets, with nothing within
@@ -232,6 +235,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         const vec4 onPlane = style.shadows ? onSunPlane(*chunk) : vec4(0.0f);
         const unsigned bits = features(*chunk) | cascades(*chunk, onPlane, style);
         gl::Program& program = sceneProgram(bits, style, view.clips());
+        if (warmingUp_ && !warm.insert({&program, state}).second) continue;
         const bool newProgram = &program != lastProgram;
         if (newProgram) {
             program.use();
@@ -260,7 +264,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         lastMaterial = chunk->material;
         lastInstance = chunk->instance;
         scene_.mesh(chunk->mesh).drawIndexed(gl::Primitive::triangles, static_cast<int>(chunk->firstIndex),
-                                             static_cast<int>(chunk->indexCount));
+                                             static_cast<int>(warmingUp_ ? 3 : chunk->indexCount));
         stats.triangles += chunk->indexCount / 3;
         ++stats.drawCalls;
     }

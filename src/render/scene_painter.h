@@ -61,6 +61,9 @@ public:
     void setSunMaps(const SunMaps& maps) { sunMaps_ = maps; }
     const SunMaps& sunMaps() const { return sunMaps_; }
 
+    /// Of all chunks that are drawn with a program, one triangle is enough (Renderer::setWarmingUp).
+    void setWarmingUp(bool warmingUp) { warmingUp_ = warmingUp; }
+
     /// Draws into the bound target. FrameBlock and the view's ViewBlock must be bound.
     void draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
               FrameStats::Pass& stats);
@@ -85,6 +88,7 @@ private:
     std::vector<Medium> media_; ///< per chunk
     const WaterBody* water_ = nullptr;
     int lightCount_ = 0; ///< point and spot lights
+    bool warmingUp_ = false;
     SunMaps sunMaps_;
     std::map<std::pair<unsigned, int>, std::shared_ptr<gl::Program>> scenePrograms_; ///< by features and taps
     std::map<unsigned, std::shared_ptr<gl::Program>> skyPrograms_;

@@ -58,6 +58,6 @@ private:
 };
 
 /// Foliage by chance of its share of a pixel is right in the mean of several pixels, and noise where one must do.
-inline bool dithersCutOuts(const FrameOptions& options) { return options.supersampling > 1; }
+inline bool dithersCutOuts(const FrameOptions& options) { return options.scale >= 2.0f; }
 
 } // namespace tarn

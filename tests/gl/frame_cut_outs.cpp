@@ -68,7 +68,7 @@ TEST(FrameCutOuts, LayersCoverTheirSharesOneByOne)
                 for (const int msaa : {1, 4}) {
                     Options options;
                     options.frame.msaa = msaa;
-                    options.frame.supersampling = supersampling;
+                    options.frame.scale = static_cast<float>(supersampling);
                     EXPECT_NEAR(meanThrough(scene, options), expected, 0.015)
                         << share << ' ' << layers << ' ' << supersampling << ' ' << msaa;
                 }

@@ -215,7 +215,7 @@ TEST(Stereo, EyesThatAreNotApartSeeWhatOneDoesBitForBit)
 {
     const Scene scene = livelyLake();
     for (Options one : {Options{}, plain()}) {
-        if (one.frame.msaa > 1) one.frame.supersampling = 2;
+        if (one.frame.msaa > 1) one.frame.scale = 2.0f;
         Stage stage(scene, one);
         const Camera head = overTheLake();
         stage.renderer.render({head, 0.7, eyeSize});

@@ -7,6 +7,9 @@ source "$project/tests/scripts/lib.sh"
 
 pool=$project/tests/image/scenes/checkered_bed.toml
 
+# The first camera of a scene file.
+camera_of() { sed -n '/^\[\[cameras\]\]/,$ s/^name = "\(.*\)"/\1/p' "$1" | head -n 1; }
+
 test_help() {
     call 0 --help
     local command
@@ -50,6 +53,9 @@ test_wrong_usage() {
     refuse 2 'method.*planar, iterative' trade "$pool" --out a --sweep refraction.method=planar,magic
     refuse 2 'grid.*sweep' trade "$pool" --out a --grid
     refuse 2 'presets-only.*sweep' trade "$pool" --out a --presets-only --sweep refraction.steps=1:2
+    refuse 2 'write-ladder.*plan of its own' trade "$pool" --out a --write-ladder b.toml --sweep refraction.steps=1:2
+    refuse 2 'write-ladder.*presets-only' trade "$pool" --out a --write-ladder b.toml --presets-only
+    refuse 2 'shard.*write-ladder' trade "$pool" --out a --write-ladder b.toml --shard 1/2
     refuse 2 'shard.*1/4' trade "$pool" --out a --shard 3/2
     refuse 2 'abvoe.*above' trade "$pool" --out a --views abvoe
     refuse 2 'method.*planar, iterative' trade "$pool" --out a --sweep heights.march=classic@refraction.method=magic
@@ -210,6 +216,22 @@ test_repeats_itself() {
         call 0 render "$project/tests/image/scenes/waves.toml" --time 1.25 --size 64x48 --out "$i.png"
     done
     cmp 1.png 2.png || fail "two runs made two pictures"
+}
+
+# The governor is the viewer's alone: no picture and no figure depends on the time that a frame takes.
+test_no_governor() {
+    call 0 render "$pool" --size 64x48 --out a.exr
+    call 0 render "$pool" --size 64x48 --set frame.target_ms=0.01 --out b.exr
+    call 0 render "$pool" --size 64x48 --frames 3 --set frame.target_ms=0.01 --out 'c_%d.png'
+    call 0 render "$pool" --size 64x48 --frames 3 --set frame.target_ms=0 --out 'd_%d.png'
+    local i
+    for i in 0 1 2; do cmp "c_$i.png" "d_$i.png" || fail "frame $i of a sequence is governed"; done
+    call 0 compare a.exr b.exr --max-flip 0
+    call 0 bench "$pool" --size 64x48 --frames 3 --warm-up 0 --vary frame.target_ms=0.01 --json "$work/bench.json"
+    local found half
+    mapfile -t found < <(grep -o '"triangles": [0-9]*' "$work/bench.json")
+    half=$((${#found[@]} / 2))
+    [[ $half -gt 3 && ${found[*]:0:half} == "${found[*]:half}" ]] || fail "bench draws something else with a target: ${found[*]}"
 }
 
 test_sequence() {
@@ -374,11 +396,25 @@ test_options() {
     [[ $(head -c 1 "$work/stdout") =~ [[{] ]] || fail "options --json prints no JSON"
 }
 
+# A ladder is measured, written and read; a broken one is refused before a window opens.
+test_ladder() {
+    local waves=$project/tests/image/scenes/waves.toml
+    call 0 trade "$waves" --out t --size 32x24 --samples 1 --frames 1 --views "$(camera_of "$waves")" --write-ladder l.toml
+    grep -q '^\[\[rungs\]\]' l.toml || fail "the ladder has no rungs"
+    cp l.toml first.toml
+    call 0 trade "$waves" --out t --size 32x24 --samples 1 --frames 1 --views "$(camera_of "$waves")" --write-ladder l.toml
+    cmp l.toml first.toml || fail "what was measured once was measured again"
+}
+
 test_presets() {
     local preset
-    for preset in low medium high best thesis; do
+    for preset in fast low medium high best thesis; do
         call 0 render "$pool" --size 32x24 --preset "$preset" --out "$preset.png"
     done
+    call 0 render "$pool" --size 32x24 --preset auto --out auto.png
+    [[ $(grep -c 'preset auto: .* draws on the processor, so the preset is fast' "$work/stderr") == 1 ]] ||
+        fail "--preset auto does not say what it chose"
+    cmp auto.png fast.png || fail "on the processor --preset auto is not fast"
     call 0 explain "$pool" --preset thesis --set refraction.target_size=128
     grep -q '^refraction .*128x128' "$work/stdout" || fail "--set does not win over --preset"
 }

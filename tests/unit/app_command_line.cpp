@@ -33,6 +33,9 @@ TEST(CommandLine, ViewIsTheDefault)
     EXPECT_EQ(parsed<ViewCommand>({"lake.toml"}).scene.file, "lake.toml");
     EXPECT_EQ(parsed<ViewCommand>({"--size", "640x480"}).view.size, ivec2(640, 480));
     EXPECT_EQ(parsed<ViewCommand>({"--frames", "3", "a/b.obj"}).frames, 3);
+    EXPECT_FALSE(parsed<ViewCommand>({}).fps);
+    EXPECT_EQ(parsed<ViewCommand>({"--fps", "0"}).fps, 0.0);
+    EXPECT_EQ(parsed<ViewCommand>({"--fps", "60", "--ladder", "l.toml"}).ladder, "l.toml");
     EXPECT_EQ(parsed<ViewCommand>({"view", "lake.toml", "--camera", "pier"}).view.camera.name, "pier");
     EXPECT_TRUE(parsed<ViewCommand>({}).vsync);
     EXPECT_FALSE(parsed<ViewCommand>({"--no-vsync"}).vsync);

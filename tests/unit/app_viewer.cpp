@@ -43,6 +43,7 @@ TEST(InputMap, KeysDoWhatTheManualSays)
     EXPECT_EQ(actionOf(keyOf('B')), Action::compare);
     EXPECT_EQ(actionOf(keyOf('[')), Action::sliderLeft);
     EXPECT_EQ(actionOf(keyOf(']')), Action::sliderRight);
+    EXPECT_EQ(actionOf(keyOf('T')), Action::governor);
     EXPECT_EQ(actionOf(keyOf('H')), Action::help);
     EXPECT_EQ(actionOf(Key::tab), Action::panel);
     EXPECT_EQ(actionOf(Key::f12), Action::screenshot);
@@ -66,7 +67,7 @@ TEST(InputMap, HelpTellsOfEveryKey)
     for (const HelpLine& line : helpLines())
         text += line.keys + ": " + line.what + "\n";
     for (const char* key : {"W", "A", "S", "D", "Q", "E", "Up",  "Left", "Shift", "C",     "U",
-                            "G", "R", "F", "P", "V", "O:", "B", "[", "]", "H", "Tab", "F12",  "Esc",   "wheel", "left button"})
+                            "G", "R", "F", "P", "V", "O:", "B", "[", "]", "T:", "H", "Tab", "F12",  "Esc",   "wheel", "left button"})
         EXPECT_NE(text.find(key), std::string::npos) << key;
 }
 

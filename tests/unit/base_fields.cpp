@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/fields.h"
+#include "base/log.h"
 #include "temp_folder.h"
 
 #include <nlohmann/json.hpp>
@@ -34,6 +35,7 @@ struct Sample {
             v.field({"size", "Size", "m", 0.5}, size);
             v.field({"colour", "Colour", "", 0, 1}, colour);
             v.choice({"mode", "Mode"}, mode, modeNames);
+            v.renamed("speed", "mode");
             v.leave();
         };
     }
@@ -116,6 +118,17 @@ TEST(Fields, UnknownKeySuggestsTheNearest)
               "--set: there is no option 'sample.stesp'; did you mean 'sample.steps'?");
     EXPECT_CONTAINS(s.problem("steps=3"), "did you mean 'sample.steps'?");
     EXPECT_CONTAINS(s.problem("zzzzzzzzzz=3"), "'tarn options' lists them");
+}
+
+TEST(Fields, AnOldNameStillSetsTheFieldAndSaysSo)
+{
+    Sample s;
+    const log::Capture messages;
+    s.set("sample.speed=fast");
+    EXPECT_EQ(s.mode, Mode::fast);
+    EXPECT_TRUE(messages.contains("--set: sample.speed is now called sample.mode"));
+    EXPECT_EQ(s.problem("sample.speed=medium"), "--set: sample.mode must be one of slow, fast, not 'medium'");
+    EXPECT_CONTAINS(s.problem("speed=fast"), "there is no option 'speed'");
 }
 
 TEST(Fields, AssignmentNeedsKeyAndEqualsSign)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tarn {
 
@@ -45,6 +46,25 @@ void expectReasons(const FramePlan& plan)
 }
 
 } // namespace
+
+// The frame is drawn at its scale, and what is presented, the glow and the targets do not follow.
+TEST(FramePlan, TheFrameIsDrawnAtItsScale)
+{
+    const Camera camera = cameraAt({0, 4, 15}, {0, 0, 0});
+    Options options;
+    const FramePlan plain = planFor(lake(), camera, options);
+    for (const auto& [scale, size] : {std::pair(0.5f, ivec2(320, 240)), std::pair(0.67f, ivec2(429, 322)),
+                                      std::pair(1.25f, ivec2(800, 600)), std::pair(4.0f, ivec2(2560, 1920))}) {
+        options.frame.scale = scale;
+        const FramePlan plan = planFor(lake(), camera, options);
+        EXPECT_EQ(plan[PassId::scene].size, size);
+        EXPECT_EQ(plan[PassId::water].size, size);
+        for (const PassId pass : {PassId::present, PassId::glow, PassId::refraction, PassId::reflection})
+            EXPECT_EQ(plan[pass].size, plain[pass].size) << passName(pass);
+    }
+    options.frame.scale = 0.25f;
+    EXPECT_EQ(scaledSize({1, 3}, options.frame), ivec2(1, 1));
+}
 
 // Seen from above a map takes the place of a target; an eye that looks from below keeps it.
 TEST(FramePlan, RaysThatAreMarchedNeedTheMapsAndNotTheTargets)

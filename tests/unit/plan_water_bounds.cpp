@@ -126,6 +126,9 @@ TEST(WaterBounds, WithoutABoundAllIsLookedUp)
     EXPECT_TRUE(mirrorBounds(calmPond(), camera, vertexNormals, size).isWhole());
     vertexNormals.frame.msaa = 1;
     EXPECT_FALSE(mirrorBounds(calmPond(), camera, vertexNormals, size).isWhole());
+    vertexNormals.frame = {};
+    vertexNormals.frame.antialiasing = FrameOptions::Antialiasing::fxaa;
+    EXPECT_FALSE(mirrorBounds(calmPond(), camera, vertexNormals, size).isWhole());
     Camera low = camera;
     low.eye.y = 0.1f;
     EXPECT_TRUE(mirrorBounds(calmPond(), low, options, size).isWhole());

@@ -128,15 +128,16 @@ TEST(Presets, ArePickedFromTheFrontByTheRule)
     // The front is 2 3 4 5 6 7; prices from 1 to 64, thirds at 4 and 16.
     const std::vector<std::pair<double, double>> priced{{70, 9}, {9, 6.5}, {1, 8},  {3, 6},
                                                         {4, 5},  {15, 4},  {20, 3}, {64, 1}};
-    EXPECT_EQ(picksOf(priced, false), (std::vector<std::size_t>{2, 4, 5, 7}));
+    EXPECT_EQ(picksOf(priced, false), (std::vector<std::size_t>{2, 2, 4, 5, 7}));
     // The thesis costs 9, and 4 is the most accurate up to there; thirds of 4 to 64 are at 10.1 and 25.4.
-    EXPECT_EQ(picksOf(priced, true), (std::vector<std::size_t>{4, 4, 6, 7}));
+    // 3 is the cheapest that is no less accurate.
+    EXPECT_EQ(picksOf(priced, true), (std::vector<std::size_t>{3, 4, 4, 6, 7}));
     // A thesis on the front itself: 3 is what its own price buys.
-    EXPECT_EQ(picksOf({{70, 9}, {3, 6}, {1, 8}, {64, 1}}, true), (std::vector<std::size_t>{1, 1, 1, 3}));
+    EXPECT_EQ(picksOf({{70, 9}, {3, 6}, {1, 8}, {64, 1}}, true), (std::vector<std::size_t>{1, 1, 1, 1, 3}));
     // Nothing is known of what the thesis costs.
     EXPECT_EQ(picksOf({{70, 9}, {std::nan(""), 6}, {1, 8}, {64, 1}}, true),
-              (std::vector<std::size_t>{2, 2, 2, 3}));
-    EXPECT_EQ(picksOf({{2, 2}}, false), (std::vector<std::size_t>{0, 0, 0, 0}));
+              (std::vector<std::size_t>{2, 2, 2, 2, 3}));
+    EXPECT_EQ(picksOf({{2, 2}}, false), (std::vector<std::size_t>{0, 0, 0, 0, 0}));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_CONTAINS(messageOf<Error>([&] { picksOf({{nan, 2}, {2, nan}}, false); }), "presets");
 }
@@ -162,12 +163,28 @@ TEST(Presets, AreFilesThatOptionsTakes)
     EXPECT_CONTAINS(text, "method = \"fetch\"");
 }
 
+TEST(Presets, AutoIsByTheMachine)
+{
+    EXPECT_EQ(presetForMachine("llvmpipe (LLVM 15.0.6, 256 bits)", true).name, "fast");
+    EXPECT_CONTAINS(presetForMachine("llvmpipe (LLVM 15.0.6, 256 bits)", true).why, "llvmpipe (LLVM 15.0.6, 256 bits)");
+    const MachinePreset card = presetForMachine("A card", false);
+    EXPECT_EQ(card.name, "high");
+    EXPECT_CONTAINS(card.why, "none was measured on a card");
+    for (const bool isSoftware : {false, true}) EXPECT_NO_THROW(presetFile(presetForMachine("x", isSoftware).name));
+    EXPECT_CONTAINS(messageOf<UsageError>([] { presetFile("slow"); }), "auto");
+}
+
 TEST(Presets, ThatComeWithTarnAreValid)
 {
     const std::vector<std::string> names = presetNames();
-    EXPECT_EQ(names, (std::vector<std::string>{"low", "medium", "high", "best", "thesis"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"fast", "low", "medium", "high", "best", "thesis"}));
     for (const std::string& name : names)
         EXPECT_NO_THROW(resolveSettings(Scene{}, {.files = {}, .assignments = {}, .preset = name})) << name;
+    const auto scaleOf = [](const char* name) {
+        return resolveSettings(Scene{}, {.files = {}, .assignments = {}, .preset = name}).options.frame.scale;
+    };
+    EXPECT_EQ(scaleOf("medium"), 2.0f);
+    EXPECT_EQ(scaleOf("best"), 4.0f);
     const Settings thesis = resolveSettings(Scene{}, {.files = {}, .assignments = {}, .preset = "thesis"});
     EXPECT_EQ(thesis.options.refraction.steps, 3);
     EXPECT_EQ(thesis.options.underwater.refraction, UnderwaterOptions::Refraction::paper);

@@ -80,7 +80,7 @@ std::string figureText(ErrorKind kind, const ErrorFigures& figures)
 
 Comparison::Comparison(reference::Picture truth, const ReferenceView& view) : truth_(std::move(truth)), state_(view) {}
 
-void Comparison::update(Renderer& renderer, const Settings& settings)
+void Comparison::update(LivePicture& picture, const FrameRequest& request, const Settings& settings)
 {
     switch (state_.shown()) {
     case ComparisonMode::off:
@@ -88,7 +88,7 @@ void Comparison::update(Renderer& renderer, const Settings& settings)
     case ComparisonMode::slider:
         return updateReference(settings.options.frame);
     case ComparisonMode::errorMap:
-        return updateMap(renderer, settings);
+        return updateMap(picture, request, settings);
     }
 }
 
@@ -100,19 +100,36 @@ void Comparison::updateReference(const FrameOptions& options)
     reference_ = textureOf("reference", truth_.size, displayPicture(truth_, options).bytes, 3);
 }
 
-void Comparison::updateMap(Renderer& renderer, const Settings& settings)
+void Comparison::updateMap(LivePicture& picture, const FrameRequest& request, const Settings& settings)
 {
-    const std::string key = settingsJson(settings);
-    if (key != measuredKey_) {
+    takeMeasured();
+    if (measuring_.valid()) return;
+    if (const std::string key = settingsJson(settings); key != measuredKey_) {
         measuredKey_ = key;
-        mapKind_.reset();
-        used_ = readQuantities(renderer, state_.view().camera, state_.view().time, truth_.size);
-        figures_ = errorFigures(used_, truth_);
+        return measure(picture, request);
     }
     if (mapKind_ == state_.error()) return;
     mapKind_ = state_.error();
     map_ = textureOf("error map", truth_.size,
                      transparentHeat(errorMap(*mapKind_, used_, truth_), infoOf(*mapKind_).scale), 4);
+}
+
+void Comparison::measure(LivePicture& picture, const FrameRequest& request)
+{
+    auto promise = std::make_shared<std::promise<WaterQuantities>>();
+    measuring_ = promise->get_future();
+    picture.post([promise, request, view = state_.view(), size = truth_.size](FrameSource& source) {
+        source.prepare(request);
+        promise->set_value(readQuantities(*source.renderer(), view.camera, view.time, size));
+    });
+}
+
+void Comparison::takeMeasured()
+{
+    if (!measuring_.valid() || measuring_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    used_ = measuring_.get();
+    figures_ = errorFigures(used_, truth_);
+    mapKind_.reset();
 }
 
 void Comparison::drawOverlay(float scale)

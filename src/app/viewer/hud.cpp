@@ -22,9 +22,18 @@ void text(const std::string& line)
     ImGui::TextUnformatted(line.c_str());
 }
 
+/// As wide as the figures are anyway.
+void drawWrapped(const std::string& words)
+{
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
+    text(words);
+    ImGui::PopTextWrapPos();
+}
+
 void drawFigures(const HudState& state)
 {
     text(fmt::format("{:.1f} fps   {:.1f} ms", state.rate.framesPerSecond(), state.rate.frameMilliseconds()));
+    if (!state.governor.empty()) drawWrapped(state.governor);
     for (const ShownTime& pass : state.rate.passes())
         text(fmt::format("  {:<12}{:7.2f} ms", pass.name, pass.milliseconds));
     text(fmt::format("{} triangles", state.triangles));
@@ -35,6 +44,7 @@ void drawFigures(const HudState& state)
     if (state.view != "final") text("view: " + state.view);
     if (!state.stereo.empty()) text(state.stereo);
     if (!state.comparison.empty()) text(state.comparison);
+    if (!state.building.empty()) text(state.building);
     text("H: help");
 }
 
@@ -98,8 +108,8 @@ void drawLoading(const SharedProgress::State& state, float scale)
 
 std::string titleText(const HudState& state)
 {
-    std::string title = fmt::format("Tarn - {} - {:.0f} fps, {:.1f} ms", state.scene,
-                                    state.rate.framesPerSecond(), state.rate.frameMilliseconds());
+    std::string title = fmt::format("Tarn - {}{} - {:.0f} fps, {:.1f} ms", state.scene,
+                                    state.building.empty() ? "" : " (draft)", state.rate.framesPerSecond(), state.rate.frameMilliseconds());
     const char* separator = " - ";
     for (const ShownTime& pass : state.rate.passes()) {
         title += fmt::format("{}{} {:.1f}", separator, pass.name, pass.milliseconds);

@@ -22,6 +22,8 @@ struct HudState {
     std::size_t triangles = 0;
     std::string stereo;      ///< how both eyes' pictures are shown, or ""
     std::string comparison;  ///< with a reference, or ""
+    std::string governor{};  ///< what it chose and what that costs, or ""
+    std::string building{};  ///< what is shown meanwhile and what is being built, or ""
     std::string message;     ///< for a few seconds, or ""
     std::string shaderError; ///< "file:line: message", or ""
 };
@@ -30,7 +32,7 @@ void drawHud(const HudState& state, float scale);
 void drawHelp(float scale, bool& open);
 void drawLoading(const SharedProgress::State& state, float scale);
 
-/// "Tarn - lake - 34 fps - water 3.1 ms, …"
+/// "Tarn - lake - 34 fps - water 3.1 ms, …", with "(draft)" while the picture is one
 std::string titleText(const HudState& state);
 
 } // namespace tarn

@@ -39,6 +39,7 @@ const std::vector<Binding>& bindings()
         {Action::compare, {keyOf('B')}, "B", "with --reference: beside it, its errors, off; or back to its view"},
         {Action::sliderLeft, {keyOf('[')}, "[", "move the line before the reference to the left"},
         {Action::sliderRight, {keyOf(']')}, "]", "move it to the right"},
+        {Action::governor, {keyOf('T')}, "T", "hold the frame's time by cheaper settings, or show your own"},
         {Action::help, {keyOf('H')}, "H", "this help"},
         {Action::panel, {Key::tab}, "Tab", "panel with every option"},
         {Action::screenshot, {Key::f12}, "F12", "save a picture in the current folder"},

@@ -40,6 +40,7 @@ enum class Action {
     compare,
     sliderLeft,
     sliderRight,
+    governor,
     help,
     panel,
     screenshot,

@@ -2,18 +2,14 @@
 
 #include "app/plan_report.h"
 #include "app/program.h"
-#include "app/version.h"
 #include "app/viewer/display_guard.h"
 #include "app/viewer/hud.h"
 #include "app/viewer/loading.h"
 #include "app/viewer/panel.h"
-#include "app/viewer/screenshot.h"
 #include "app/viewer/stereo_view.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "gl/framebuffer.h"
-#include "plan/stereo.h"
-#include "render/warm_up.h"
 
 #include <GLFW/glfw3.h>
 
@@ -42,29 +38,6 @@ void makeFullscreen(GLFWwindow* window)
     if (!mode) throw Error("--fullscreen: this display has no monitor to fill; leave --fullscreen away");
     glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
-
-/// Runs a function at most thirty times a second while something else reports.
-class DrawingProgress : public Progress
-{
-public:
-    explicit DrawingProgress(std::function<void(const SharedProgress::State&)> draw) : draw_(std::move(draw))
-    {
-    }
-
-    void report(double fraction, const std::string& what) override
-    {
-        shared_.report(fraction, what);
-        const double now = steadySeconds();
-        if (now - last_ < loadingFrameSeconds) return;
-        last_ = now;
-        draw_(shared_.state());
-    }
-
-private:
-    std::function<void(const SharedProgress::State&)> draw_;
-    SharedProgress shared_;
-    double last_ = 0.0;
-};
 
 bool visible(const gl::Window& window)
 {
@@ -95,29 +68,30 @@ void runViewer(const ViewCommand& command)
 Viewer::Viewer(const ViewCommand& command)
     : command_(command), truth_(readReference(command.reference)),
       window_({.title = "Tarn", .size = command.view.size, .vsync = command.vsync}),
-      input_(window_.handle()), widgets_(window_.handle()), clock_(command.view.time)
+      input_(window_.handle()), widgets_(window_.handle()), picture_(window_, glfwPostEmptyEvent),
+      clock_(command.view.time)
 {
+    picture_.times().note(StartupEvent::context);
     guardDisplay();
+    choosePreset(command_.scene.settings, window_);
     input_.setWidgets(&widgets_);
     if (command.fullscreen) makeFullscreen(window_.handle());
-    profiler_.setSynchronous(
-        window_.isSoftware()); // else the HUD would show when passes were asked for, not drawn
 }
 
 void Viewer::run()
 {
-    if (!load()) return;
-    makeRenderer();
-    for (int drawn = 0; !leaving_ && !window_.shouldClose();) {
+    const bool loaded = load();
+    while (loaded && !leaving_ && !window_.shouldClose()) {
         if (!visible(window_)) {
             glfwWaitEventsTimeout(idleSeconds);
             lastFrame_ = 0.0; // the time away is no frame
             continue;
         }
-        glfwPollEvents();
+        waitForNews();
         frame();
-        if (command_.frames > 0 && ++drawn >= command_.frames) break;
+        if (command_.frames > 0 && picture_.answered() >= command_.frames) break;
     }
+    leave();
 }
 
 bool Viewer::load()
@@ -134,8 +108,10 @@ bool Viewer::load()
         drawLoadingFrame(loading.progress());
     }
     stage_ = loading.take();
+    beginToGovern();
     startSettings_ = stage_.settings;
     begin();
+    picture_.show(stage_.scene, governed_->drawn());
     return true;
 }
 
@@ -166,19 +142,6 @@ void Viewer::drawLoadingFrame(const SharedProgress::State& state)
     window_.swap();
 }
 
-void Viewer::makeRenderer()
-{
-    DrawingProgress progress([this](const SharedProgress::State& state) {
-        glfwPollEvents();
-        drawLoadingFrame(state);
-    });
-    shaders_ = makeShaderLibrary();
-    renderer_ =
-        std::make_unique<Renderer>(stage_.scene, stage_.settings.options, *shaders_, profiler_, &progress);
-    renderer_->setOptions(stage_.settings.options, stage_.settings.water);
-    warmUp(*renderer_, stage_.settings.water, &progress);
-}
-
 void Viewer::frame()
 {
     const double now = steadySeconds();
@@ -186,25 +149,14 @@ void Viewer::frame()
     lastFrame_ = now;
     clock_.advance(now);
     takeInput(seconds);
-    shaders_->pollChanges();
 
     const ivec2 size = window_.framebufferSize();
     if (size.x < 1 || size.y < 1) return;
-    if (compares()) {
-        comparison_->state().look(camera_.camera(), clock_.time());
-        comparison_->update(*renderer_, stage_.settings);
-    }
-    const ivec2 pictureSize = eyeSizeFor(size, stage_.settings.options.stereo.output);
-    const FrameStats& stats = renderer_->render({camera_.camera(), clock_.time(), pictureSize, view_});
+    if (compares()) comparison_->state().look(camera_.camera(), clock_.time());
+    govern(size);
+    if (compares()) comparison_->update(picture_, request(), governed_->drawn());
     if (screenshotWanted_) takeScreenshot();
-    renderer_->presentToWindow(size);
-    measure(seconds);
-
-    widgets_.beginFrame();
-    drawWidgets(stats);
-    gl::Framebuffer::window(size).bind();
-    widgets_.draw();
-    window_.swap();
+    showPicture(size);
 }
 
 void Viewer::takeInput(double seconds)
@@ -228,7 +180,6 @@ void Viewer::obey(const KeyCommand& command)
     Options& options = stage_.settings.options;
     const auto switched = [&](bool& option, const char* name) {
         toggle(option);
-        renderer_->setOptions(options, stage_.settings.water);
         say(fmt::format("{} {}", name, option ? "on" : "off"));
     };
     switch (command.action) {
@@ -251,7 +202,6 @@ void Viewer::obey(const KeyCommand& command)
         return say(fmt::format("view: {}", debugViewNames[static_cast<std::size_t>(view_)]));
     case Action::stereo:
         options.stereo.output = nextStereo(options.stereo.output);
-        renderer_->setOptions(options, stage_.settings.water);
         return say(options.stereo.isOn() ? stereoText(options.stereo) : "stereo off");
     case Action::compare:
         return compareNext();
@@ -259,6 +209,8 @@ void Viewer::obey(const KeyCommand& command)
     case Action::sliderRight:
         if (compares()) comparison_->state().moveSlider(command.action == Action::sliderRight ? 1 : -1);
         return;
+    case Action::governor:
+        return toggleGovernor();
     case Action::help:
         return toggle(helpOpen_);
     case Action::panel:
@@ -311,20 +263,20 @@ void Viewer::drawWidgets(const FrameStats& stats)
                        .triangles = stats.triangles(),
                        .stereo = stereoText(stage_.settings.options.stereo),
                        .comparison = compares() ? comparison_->note() : "",
+                       .governor = picture_.isFull() ? governed_->text(rate_.framesPerSecond()) : "",
+                       .building = buildingNote(),
                        .message = now < messageUntil_ ? message_ : "",
-                       .shaderError = shaders_->lastError()};
+                       .shaderError = picture_.report().shaderError};
     drawHud(hud, widgets_.scale());
     if (helpOpen_) drawHelp(widgets_.scale(), helpOpen_);
     if (panelOpen_) {
         std::function<void()> choice;
         choice = [&] {
             if (compares()) comparison_->drawChoice();
-            drawPlan(toTable(stats.plan));
+            if (picture_.isFull()) drawPlan(toTable(stats.plan));
         };
         const PanelResult result = drawPanel(fieldTree(stage_.settings), widgets_.scale(), panelOpen_, choice);
         if (result.reset) stage_.settings = startSettings_;
-        if (result.reset || result.changed)
-            renderer_->setOptions(stage_.settings.options, stage_.settings.water);
     }
     // Window managers are slow with titles, and eyes are slower.
     if (now - lastTitle_ >= 0.5) {
@@ -333,35 +285,10 @@ void Viewer::drawWidgets(const FrameStats& stats)
     }
 }
 
-void Viewer::takeScreenshot()
-{
-    screenshotWanted_ = false;
-    try {
-        const std::filesystem::path file = nextScreenshot(std::filesystem::current_path());
-        writeImage(file, renderer_->readDisplay(),
-                   {{"tarn:version", versionText()}, {"tarn:settings", settingsJson(stage_.settings)}});
-        say("saved " + file.string());
-        log::info("saved {}", file.string());
-    } catch (const std::exception& error) { // a full disk is no reason to leave the lake
-        say(error.what());
-        log::error("{}", error.what());
-    }
-}
-
 void Viewer::say(const std::string& message)
 {
     message_ = message;
     messageUntil_ = steadySeconds() + messageSeconds;
-}
-
-void Viewer::measure(double seconds)
-{
-    std::vector<ShownTime> passes;
-    for (const gl::PassTime& time : profiler_.latest()) {
-        const bool gpu = time.gpuMs >= 0.0 && !profiler_.isSynchronous();
-        if (time.name != "frame") passes.push_back({time.name, gpu ? time.gpuMs : time.wallMs});
-    }
-    rate_.add(seconds, passes);
 }
 
 } // namespace tarn

@@ -2,19 +2,21 @@
 #pragma once
 
 #include "app/command_line.h"
+#include "app/live_picture.h"
 #include "app/stage.h"
 #include "app/viewer/comparison.h"
 #include "app/viewer/fly_camera.h"
 #include "app/viewer/frame_rate.h"
 #include "app/viewer/glfw_input.h"
+#include "app/viewer/governed_settings.h"
 #include "app/viewer/imgui_layer.h"
 #include "app/viewer/scene_clock.h"
-#include "gl/profiler.h"
-#include "gl/shader_library.h"
 #include "gl/window.h"
-#include "render/renderer.h"
 
+#include <atomic>
+#include <future>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace tarn
@@ -34,7 +36,29 @@ private:
     bool load();
     void begin();
     void drawLoadingFrame(const SharedProgress::State& state);
-    void makeRenderer();
+
+    // showing.cpp: the picture is drawn elsewhere, and this thread waits for none of it.
+    void waitForNews() const;
+    FrameRequest request() const;
+    bool nothingToAsk() const;
+    void ask();
+    void showPicture(ivec2 size);
+    void redraw(ivec2 size);
+    std::string buildingNote() const;
+    void measure();
+    void takeScreenshot();
+    void sayScreenshot();
+    void leave();
+
+    // governing.cpp: with which settings it is drawn.
+    void beginToGovern();
+    void govern(ivec2 size);
+    bool isDisturbed(ivec2 size);
+    bool isStill() const;
+    bool isAnswered() const;
+    void noteDrawn();
+    void buildAtRest();
+    void toggleGovernor();
 
     void frame();
     void takeInput(double seconds);
@@ -44,9 +68,7 @@ private:
     bool compares() const { return comparison_ && !stage_.settings.options.stereo.isOn(); }
     void compareNext();
     void drawWidgets(const FrameStats& stats);
-    void takeScreenshot();
     void say(const std::string& message);
-    void measure(double seconds);
 
     ViewCommand command_;
     std::optional<reference::Picture> truth_; ///< until the comparison has it
@@ -56,10 +78,29 @@ private:
     ImGuiLayer widgets_;
     Stage stage_;
     Settings startSettings_;
-    std::unique_ptr<gl::ShaderLibrary> shaders_;
-    gl::Profiler profiler_;
-    std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<Comparison> comparison_; ///< null: no reference was named
+    LivePicture picture_;
+    std::optional<GovernedSettings> governed_; ///< once the scene is there
+    GovernedSettings::Part part_;    ///< of the frame that is asked for
+    std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false); ///< what was asked for
+    bool disturbed_ = true;          ///< since that was asked for
+    int answeredAtPart_ = 0;
+    std::optional<FrameRequest> asked_; ///< last
+    double lastAsk_ = 0.0;           ///< steady seconds
+    int answeredAtAsk_ = 0;
+    Options building_;               ///< what programs are built for that a better picture needs
+    std::shared_ptr<std::atomic<bool>> buildingStops_; ///< soon
+    std::future<int> built_;         ///< how many are there; negative: all
+    int builtBefore_ = 0;
+    float lastTargetMs_ = 0.0f;      ///< before the governor was switched off
+    /// What a person can change beside the settings, as it was when it was last looked at.
+    struct Touched {
+        Camera camera;
+        ivec2 size{0};
+        DebugView view = DebugView::final;
+        bool paused = false;
+        bool operator==(const Touched&) const = default;
+    } touched_;
 
     FlyCamera camera_{Camera{}};
     SceneClock clock_;
@@ -67,6 +108,11 @@ private:
     DebugView view_ = DebugView::final;
     double lastFrame_ = 0.0; ///< steady seconds; 0 before the first
     double lastTitle_ = 0.0;
+    double lastRedraw_ = 0.0;  ///< steady seconds
+    ivec2 redrawnSize_{0};
+    double lastPicture_ = 0.0; ///< steady seconds of the renderer's last; 0: it rested since
+    int answeredAtPicture_ = 0, pictures_ = 0;
+    std::future<std::string> screenshot_; ///< what to say of it
     std::string message_;
     double messageUntil_ = 0.0;
     bool helpOpen_ = false, panelOpen_ = false;

@@ -1,6 +1,7 @@
 #include "measure/trade/plan.h"
 
 #include "base/error.h"
+#include "measure/trade/ladder.h"
 
 #include <cstdint>
 
@@ -107,15 +108,18 @@ std::vector<std::string> defaultSweeps()
             "sunlight.map_size=1024:4096:*2",
             "sunlight.taps=1,2",
             "sunlight.cascades=1,3",
-            "frame.msaa=1,4",
-            "frame.supersampling=1,2"};
+            "frame.antialiasing=none,fxaa,msaa",
+            "frame.msaa=2,4",
+            "frame.scale=0.5,0.67,1,2",
+            "frame.upscaler=bilinear,edge@frame.scale=0.5"};
 }
 
 TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe)
 {
     const bool isDefault = request.sweeps.empty();
     std::vector<Sweep> sweeps;
-    if (!request.presetsOnly) sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
+    if (request.ladder) sweeps = cheaperSweeps(describe);
+    else if (!request.presetsOnly) sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
     if (request.grid && isDefault) throw UsageError("--grid needs at least one --sweep KEY=VALUES");
     if (request.presetsOnly && !isDefault) throw UsageError("--presets-only sweeps nothing; leave --sweep away");
     TradePlan plan;
@@ -129,6 +133,7 @@ TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe
         plan.presets.emplace_back(
             preset.name, addPoint(plan.points, makePoint(preset.changes, preset.name, "preset", describe)));
     plan.walk = isDefault && !request.presetsOnly;
+    plan.ladder = request.ladder;
     return plan;
 }
 

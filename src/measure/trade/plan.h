@@ -30,6 +30,7 @@ struct TradePlan {
     std::vector<SweptPoints> sweeps;                          ///< one at a time; empty with a grid
     std::vector<std::pair<std::string, std::size_t>> presets; ///< name, point
     bool walk = false;                                        ///< combined points are to follow
+    bool ladder = false; ///< they are to be rungs (measure/trade/ladder.h)
 
     const TradePoint& base() const { return points.front(); }
 };
@@ -45,6 +46,7 @@ struct PlanRequest {
     bool grid = false;               ///< every combination instead of one option at a time
     std::vector<Preset> presets;
     bool presetsOnly = false;        ///< no sweeps: the base and the presets
+    bool ladder = false;             ///< what makes a frame cheaper, and combinations of it
 };
 
 /// Throws UsageError for a sweep that cannot be, and when a grid has more than 10000 points.

@@ -1,6 +1,7 @@
 #include "measure/trade/presets.h"
 
 #include "base/error.h"
+#include "measure/trade/pareto.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,13 @@ const FigureField& flipField()
     throw Error("there is no figure for FLIP; this is a fault of the program");
 }
 
-/// What the thesis' settings cost, where the plan has them.
-std::optional<double> thesisPrice(const TradeSetup& setup, const TradeResults& results)
+/// What the thesis' settings cost and get wrong, where the plan has them.
+std::optional<PricedError> thesisPoint(const TradeSetup& setup, const TradeResults& results)
 {
-    for (const auto& [name, index] : setup.plan.presets)
-        if (name == "thesis") return results.points[index].mean.price.median;
+    for (const auto& [name, index] : setup.plan.presets) {
+        const PricedError point{results.points[index].mean.price.median, results.points[index].mean.errors.flip};
+        if (name == "thesis" && !std::isnan(point.price) && !std::isnan(point.error)) return point;
+    }
     return {};
 }
 
@@ -41,6 +44,18 @@ std::vector<std::string> presetKeys(const TradePlan& plan, const std::vector<Fie
     return keys;
 }
 
+} // namespace
+
+std::string tomlString(const std::string& text)
+{
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return quoted + '"';
+}
+
 std::string tomlValue(const FieldRow& row)
 {
     if (row.type == "choice") return "\"" + row.value + "\"";
@@ -48,18 +63,22 @@ std::string tomlValue(const FieldRow& row)
     return row.value;
 }
 
-} // namespace
-
 std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults& results)
 {
     const std::vector<std::size_t> front = frontOf(results, flipField(), setup.views.size());
     if (front.empty()) throw Error("no presets: no setting has both a price and a mean FLIP");
     const auto price = [&](std::size_t i) { return results.points[i].mean.price.median; };
 
-    std::size_t low = front.front();
-    if (const std::optional<double> limit = thesisPrice(setup, results))
+    const auto flip = [&](std::size_t i) { return results.points[i].mean.errors.flip; };
+
+    std::size_t fast = front.front(), low = front.front();
+    if (const std::optional<PricedError> thesis = thesisPoint(setup, results)) {
         for (const std::size_t i : front) // errors fall along the front
-            if (price(i) <= *limit) low = i;
+            if (price(i) <= thesis->price) low = i;
+        const auto first = std::find_if(front.begin(), front.end(), [&](std::size_t i) { return flip(i) <= thesis->error; });
+        if (first != front.end()) fast = *first;
+    }
+    if (setup.plan.ladder) return {{"fast", fast}}; // nothing dearer than the base was measured
     const std::size_t best = front.back();
     const auto below = [&](double part) {
         const double rounding = 1.0 + 1e-9;
@@ -69,7 +88,7 @@ std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults&
             if (price(i) >= price(low) && price(i) <= limit) found = i;
         return found;
     };
-    return {{"low", low}, {"medium", below(1.0 / 3.0)}, {"high", below(2.0 / 3.0)}, {"best", best}};
+    return {{"fast", fast}, {"low", low}, {"medium", below(1.0 / 3.0)}, {"high", below(2.0 / 3.0)}, {"best", best}};
 }
 
 std::string optionsText(const std::vector<FieldRow>& rows, const std::vector<std::string>& keys)

@@ -1,6 +1,7 @@
 #include "measure/trade/results.h"
 
 #include "measure/statistics.h"
+#include "measure/trade/ladder.h"
 #include "measure/trade/pareto.h"
 #include "measure/trade/trade_json.h"
 #include "measure/trade/walk.h"
@@ -194,6 +195,7 @@ std::vector<TradePoint> walkPoints(const TradeSetup& setup, const std::vector<Po
 {
     if (!setup.plan.walk) return {};
     const WalkError errorOf(setup, results);
+    if (setup.plan.ladder) return ladderWalk(setup, results, errorOf);
     std::vector<SweptOption> options;
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps) {
         if (!swept.sweep.with.empty()) continue; // what it adds is not added to any setting of the others
@@ -214,6 +216,11 @@ std::vector<TradePoint> walkPoints(const TradeSetup& setup, const std::vector<Po
         if (at == before) walk.push_back(known[at]);
     }
     return walk;
+}
+
+std::function<double(const Measured&)> walkError(const TradeSetup& setup, const std::vector<PointResult>& results)
+{
+    return WalkError(setup, results);
 }
 
 TradeResults collectResults(const TradeSetup& setup, const TradeStore& store)

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,9 @@ TradeResults collectResults(const TradeSetup& setup, const TradeStore& store);
 
 /// The combined points that these results ask for; empty when the plan wants none. Throws nothing.
 std::vector<TradePoint> walkPoints(const TradeSetup& setup, const std::vector<PointResult>& results);
+
+/// The error that the walk goes by, from the results of the plan's sweeps.
+std::function<double(const Measured&)> walkError(const TradeSetup& setup, const std::vector<PointResult>& results);
 
 /// One row for each point and view, and one for each point's mean.
 std::string toCsv(const TradeSetup& setup, const TradeResults& results);

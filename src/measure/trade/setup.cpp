@@ -128,7 +128,7 @@ std::vector<TradeUnit> showingUnits(const TradeSetup& setup)
     for (std::size_t view = 0; view < setup.views.size(); ++view) {
         for (const TradePoint& point : picturedPoints(setup.plan))
             units.push_back({TradeUnit::Kind::pictures, {point}, view, 0});
-        units.push_back({TradeUnit::Kind::budget, {setup.plan.base()}, view, 0});
+        if (!setup.plan.ladder) units.push_back({TradeUnit::Kind::budget, {setup.plan.base()}, view, 0});
     }
     return units;
 }

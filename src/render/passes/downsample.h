@@ -6,6 +6,7 @@
 #include "gl/target.h"
 #include "gl/vertex_array.h"
 
+#include <map>
 #include <memory>
 
 namespace tarn {
@@ -14,7 +15,7 @@ class DownsamplePass {
 public:
     explicit DownsamplePass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
-    /// @param drawn resolved; its edges are whole multiples of those of `size`  @param size of the result, pixels
+    /// @param drawn resolved, no smaller than `size`  @param size of the result, pixels
     /// @return `drawn` itself where it has that size already
     const gl::Target& draw(const gl::Target& drawn, ivec2 size);
 
@@ -22,7 +23,7 @@ private:
     gl::ShaderLibrary& shaders_;
     gl::Target target_{"picture"};
     gl::FullscreenTriangle triangle_;
-    std::shared_ptr<gl::Program> program_;
+    std::map<int, std::shared_ptr<gl::Program>> programs_; ///< by taps along one edge
 };
 
 } // namespace tarn

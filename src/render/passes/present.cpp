@@ -40,13 +40,14 @@ const char* toneCurveFunction(FrameOptions::ToneCurve curve)
 } // namespace
 
 const gl::Target& PresentPass::draw(const gl::Texture& source, const gl::Texture* glow,
-                                    const FrameOptions& options, DebugView view)
+                                    const FrameOptions& options, DebugView view, bool luma)
 {
     target_.ensure({.size = source.size(), .colours = {gl::Format::rgba8}});
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
     target_.bind();
     gl::Defines defines{{"DISPLAY", displayCode(view)}, {"TONE_CURVE", toneCurveFunction(options.toneCurve)}};
     if (glow) defines.emplace_back("GLOW", "1");
+    if (luma) defines.emplace_back("LUMA", "1");
     auto& program = programs_[defines];
     if (!program) program = shaders_.program("present", "passes/fullscreen.vert", "passes/present.frag", defines);
     program->use();

@@ -18,9 +18,10 @@ public:
 
     /// @param source linear; for a debug view its raw values
     /// @param glow added on the display's scale; null for none
+    /// @param luma left in alpha for shared/fxaa.glsl; else that is 1
     const gl::Target& draw(const gl::Texture& source, const gl::Texture* glow, const FrameOptions& options,
-                           DebugView view);
-    const gl::Target& target() const { return target_; }
+                           DebugView view, bool luma = false);
+    const gl::Target& target() const { return target_; } ///< the last result
 
 private:
     gl::ShaderLibrary& shaders_;

@@ -1,0 +1,36 @@
+// The draft's water: mirrors the sky by Fresnel's formula and lets through what draft.frag has drawn behind it. The normal
+// is that of the first few waves. UNDERWATER: seen from below, where it mirrors the water itself.
+#include "shared/blocks.glsl"
+#include "shared/refraction.glsl"
+#include "shared/waves.glsl"
+
+in vec3 positionW;
+
+uniform samplerCube skyMap;
+
+out vec4 fragment; // blended: its own radiance, and the part of what is behind that it hides
+
+const int drawnWaves = 4; // those that are not there have no amplitude
+
+void main()
+{
+    vec3 toEye = eye - positionW;
+    float range = length(toEye);
+    toEye /= range;
+    vec2 slope = vec2(0.0);
+    for (int i = 0; i < drawnWaves; ++i) slope += waveTerm(waves[i], positionW.xz, time).yz;
+    // Far away a pixel spans many waves, and sees their mean.
+    slope *= min(1.0, 8.0 / range);
+#ifdef UNDERWATER
+    vec3 n = -waveNormal(slope);
+    float mirrored = fresnelExact(max(dot(n, toEye), 0.0), ior);
+    vec3 radiance = deepRadiance;
+#else
+    vec3 n = waveNormal(slope);
+    float mirrored = fresnelExact(max(dot(n, toEye), 0.0), 1.0 / ior);
+    vec3 direction = reflectRay(-toEye, n);
+    direction.y = abs(direction.y); // down, it would meet the next wave, which mirrors it up
+    vec3 radiance = texture(skyMap, direction).rgb;
+#endif
+    fragment = vec4(mirrored * radiance, mirrored);
+}
