@@ -10,6 +10,9 @@ layout(location = 2) in vec4 tangentM;
 layout(location = 3) in vec2 uvM;
 layout(location = 4) in vec4 colourM;
 
+// Depth that was drawn alone is met again exactly.
+invariant gl_Position;
+
 uniform mat4 worldFromModel;
 uniform mat3 worldFromModelNormal;
 

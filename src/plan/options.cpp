@@ -47,6 +47,9 @@ void visit(FieldVisitor& v, FrameOptions& o)
     v.field({"msaa", "Samples per pixel of the scene and water passes with frame.antialiasing = msaa; 1 is off", "samples", 1,
              16},
             o.msaa);
+    v.field({"depth_prepass", "Draw the depth of foliage before its colours where a pixel has one sample, so that what is hidden "
+                              "is not shaded"},
+            o.depthPrepass);
     v.field({"anisotropy", "Largest anisotropy of texture filtering; 1 is off", "", 1.0, 16.0}, o.anisotropy);
     v.field({"target_ms", "Time of a frame that the viewer's governor keeps to by cheaper settings while anything moves; 0 is "
                           "off. Of no effect outside the viewer",

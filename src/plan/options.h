@@ -20,6 +20,7 @@ struct FrameOptions {
     Upscaler upscaler = Upscaler::edge;
     Antialiasing antialiasing = Antialiasing::msaa;
     int msaa = 4;
+    bool depthPrepass = true;
     float anisotropy = 8.0f;
     float targetMs = 33.3f;
 

@@ -452,6 +452,7 @@ void Renderer::State::drawScene(const FrameInput& input)
     inputs.style.sunDisc = !isBelow;
     if (raw) inputs.style.dithersCutOuts = false; // no mean is taken
     inputs.style.alphaToCoverage = frame.isMultisampled() && !inputs.style.dithersCutOuts;
+    inputs.style.depthFirst &= !frame.isMultisampled();
     inputs.style.debugNormals = input.view == DebugView::normals;
     inputs.style.sky = !raw;
     if (plan()[PassId::water].wanted && plan().side == WaterSide::above &&

@@ -55,7 +55,8 @@ constexpr FeatureName featureNames[] = {
 constexpr unsigned cascadeFeatures[mostCascades] = {cascade0, cascade1, cascade2};
 
 /// What decides whether a surface is there at all.
-constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | clipPlane | dithered | countsFaces;
+constexpr unsigned shapeFeatures =
+    diffuseMap | alphaMap | alphaTest | clipPlane | dithered | countsFaces | flatWater;
 
 gl::Defines definesOf(unsigned features)
 {
@@ -134,6 +135,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.throughFlatWater) bits |= flatWater;
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
     if (style.dithersCutOuts && (bits & alphaTest) && (bits & (diffuseMap | alphaMap))) bits |= dithered;
+    if (style.depthIsDrawn) bits &= ~(alphaTest | alphaToCoverage | dithered);
     if (style.debugNormals) bits |= debugNormals;
     if (style.shadows) bits |= shadows;
     if (style.caustics && !(bits & inAir)) bits |= caustics;
@@ -141,7 +143,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.countsFaces) bits |= countsFaces;
     if (style.depthOnly || style.countsFaces) {
         bits &= shapeFeatures;
-        if (!(bits & alphaTest)) bits &= clipPlane | countsFaces; // maps matter to cut-outs only
+        if (!(bits & alphaTest)) bits &= clipPlane | countsFaces | flatWater; // maps matter to cut-outs only
         bits |= depthOnly;
     }
     const int taps = style.shadows ? sunMaps_.taps : 0;
@@ -203,8 +205,32 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material, b
 void ScenePainter::draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
                         FrameStats::Pass& stats)
 {
-    drawChunks(visibleChunks(scene_.chunks(), scene_.scene().materials, view, cover, cull, water_), view, style, stats);
+    const auto chunks = visibleChunks(scene_.chunks(), scene_.scene().materials, view, cover, cull, water_);
+    if (style.depthFirst && !style.depthOnly) drawDepthFirst(chunks, view, style, stats);
+    else drawChunks(chunks, view, style, stats);
     if (style.sky) drawSky(style);
+}
+
+/// Foliage hides foliage many times over, and a shader that discards cannot be kept from what is hidden. Its shape goes
+/// first, in a shader of one lookup; what is solid hides little of itself and is shaded at once; then foliage is shaded where
+/// its depth was left.
+void ScenePainter::drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
+                                  FrameStats::Pass& stats)
+{
+    std::vector<const Chunk*> cutOuts, solids;
+    for (const Chunk* chunk : chunks) {
+        const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
+        (material.alphaTested ? cutOuts : solids).push_back(chunk);
+    }
+    PaintStyle shape = style;
+    shape.depthOnly = true;
+    shape.shadows = shape.caustics = false;
+    shape.waterline = nullptr;
+    drawChunks(cutOuts, view, shape, stats);
+    drawChunks(solids, view, style, stats);
+    PaintStyle shaded = style;
+    shaded.depthIsDrawn = true;
+    drawChunks(cutOuts, view, shaded, stats);
 }
 
 void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
@@ -222,12 +248,16 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
                           (material.alphaTested && style.alphaToCoverage ? 2 : 0);
         if (state != lastState) {
             // Back faces go before clipping, or the clip plane would show the insides of what it cuts (Fig. 3).
-            gl::apply({.depthTest = style.countsFaces ? gl::DepthTest::off : gl::DepthTest::less,
+            gl::apply({.depthTest = style.countsFaces    ? gl::DepthTest::off
+                                    : style.depthIsDrawn ? gl::DepthTest::equal
+                                                         : gl::DepthTest::less,
+                       .depthWrite = !style.depthIsDrawn,
                        .depthClamp = style.countsFaces, // what stands over the map's range counts too
                        .cull = (state & 1) ? gl::Cull::none : gl::Cull::back,
                        .clockwiseFront = view.mirrored,
                        .blend = style.countsFaces ? gl::Blend::add : gl::Blend::none,
                        .clipDistances = view.clips() ? 1 : 0,
+                       .colourWrite = !(style.depthFirst && style.depthOnly),
                        .alphaToCoverage = (state & 2) != 0,
                        .scissor = style.scissor});
             lastState = state;

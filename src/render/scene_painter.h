@@ -28,6 +28,8 @@ struct PaintStyle {
     bool caustics = false;        ///< and what reaches the bed in the caustics texture
     bool throughFlatWater = false; ///< what lies under the level is drawn where a flat surface shows it
     bool depthOnly = false;       ///< no colour
+    bool depthFirst = false;      ///< cut-outs are drawn twice, first their depth alone: what is hidden is not shaded. One sample only
+    bool depthIsDrawn = false;    ///< the second of the two: where the depth is equal, a cut-out is there
     bool bothSides = false;       ///< faces are there seen from behind, too: whatever side the sun sees casts a shadow
     bool forMap = false;          ///< all but the sun's light under water, and beside it how that would be answered
     bool countsFaces = false;     ///< adds 1 for each face that is seen from the front and takes 1 for each from behind
@@ -81,6 +83,8 @@ private:
     void setMaterial(gl::Program& program, const Material& material, bool dithers) const;
     void drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
                     FrameStats::Pass& stats);
+    void drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
+                        FrameStats::Pass& stats);
     void drawSky(const PaintStyle& style);
 
     const GpuScene& scene_;

@@ -47,6 +47,7 @@ void SunStage::begin(const Inputs& inputs)
     lit_.distantShadows = lit_.shadows && volume_.cascades.size() > 1;
     lit_.fewestCascades = options.plan.allows(RuleId::fewestCascades);
     lit_.caustics = inputs.plan[PassId::caustics].wanted;
+    lit_.depthFirst = options.frame.depthPrepass;
 }
 
 void SunStage::draw(const Inputs& inputs, Drawing& drawing)

@@ -49,6 +49,7 @@ void AfloatHeightsPass::draw(From from, const View& view, ScenePainter& painter,
     for (const int colour : {0, 1}) target.drawFramebuffer().clearColour(vec4(0.0f), colour);
     target.drawFramebuffer().clearDepth();
     PaintStyle style = inputs.lit;
+    style.depthFirst = false; // the map must know cut-outs from solids
     style.caustics = false;
     style.forMap = true;
     style.bothSides = true; // a bank is seen from below through the ground

@@ -33,6 +33,7 @@ const gl::Target& RefractionPass::draw(ScenePainter& painter, const RefractionOp
     target_.drawFramebuffer().clearDepth();
     PaintStyle style = inputs.style;
     style.throughFlatWater = isFlat;
+    style.depthFirst = false; // one bed hides little of itself: on the lake its depth costs more than it saves
     style.sky = inputs.underwater; // in the water the far distance is water
     painter.draw(inputs.view, style, WaterCover{}, inputs.cull, stats);
     return target_;
