@@ -271,10 +271,13 @@ std::function<Command()> defineBench(Flags& flags)
                command->variants);
     flags.toggle("--flight", "Fly past the scene's cameras, from the first to the last, in the frames that are measured",
                  command->flight);
-    flags.toggle("--yardstick", "Measure one plain pass of 100,352 textured triangles at 1024x768 too, and tell all else in it",
-                 command->yardstick);
+    flags.toggle(
+        "--yardstick",
+        "Measure one plain pass of 100,352 textured triangles at 1024x768 too, and tell all else in it",
+        command->yardstick);
     flags.toggle("--rules", "Measure the frame plan: without each rule that applies, and without all of them", command->rules);
-    flags.toggle("--interactive", "Fly past the scene's cameras at real speed: times of frames, and from input to picture",
+    flags.toggle("--interactive",
+                 "Fly past the scene's cameras at real speed: times of frames, and from input to picture",
                  command->interactive);
     flags.number("--seconds", "S", "Length of the flight of --interactive, s", command->seconds, 0.1, 3600.0);
     flags.value("--table", "N", "Measure table 2 or 3 of Mihalik 2008, chapter 10, beside its figures",
@@ -283,10 +286,11 @@ std::function<Command()> defineBench(Flags& flags)
                 });
     flags.text("--json", "FILE", jsonDoc, command->json);
     return [command] {
-        if (command->interactive && (command->table || command->flight || command->rules || command->yardstick ||
-                                     !command->variants.empty()))
-            throw UsageError("--interactive has a flight of its own; leave --table, --flight, --rules, --yardstick and "
-                             "--vary away");
+        if (command->interactive && (command->table || command->flight || command->rules ||
+                                     command->yardstick || !command->variants.empty()))
+            throw UsageError(
+                "--interactive has a flight of its own; leave --table, --flight, --rules, --yardstick and "
+                "--vary away");
         if (command->table && !command->variants.empty())
             throw UsageError("--table has configurations of its own; leave --vary away");
         if (command->table && (command->flight || command->rules))
