@@ -137,8 +137,8 @@ void run(const BenchCommand& command)
     }
     std::optional<Yardstick> yardstick;
     if (command.yardstick) yardstick.emplace(session.shaders());
-    BenchReport report = runBenchmark(subjects, {.frames = command.frames, .warmUp = command.warmUp}, &progress,
-                                      yardstick ? &*yardstick : nullptr);
+    BenchReport report = runBenchmark(subjects, {.frames = command.frames, .warmUp = command.warmUp},
+                                      &progress, yardstick ? &*yardstick : nullptr);
     report.context = {{"machine", machineText()},
                       {"renderer", session.context().renderer()},
                       {"OpenGL", session.context().version()},
@@ -157,7 +157,8 @@ void run(const BenchCommand& command)
                       {"geometry_bytes", session.renderer().geometryBytes()}};
     writeJson(command.json, json);
     if (command.json != "-") {
-        fmt::print("{}", command.table ? toMarkdown(*command.table, report) + yardstickLines(report) : toTable(report));
+        fmt::print("{}", command.table ? toMarkdown(*command.table, report) + yardstickLines(report)
+                                       : toTable(report));
         if (!command.table) fmt::print("{}", toTable(shares));
     }
 }

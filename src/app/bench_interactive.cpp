@@ -13,11 +13,9 @@
 
 #include <chrono>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 double steadySeconds()
 {
@@ -60,12 +58,13 @@ void runInteractive(const BenchCommand& command)
     const InteractiveTimes times = playInputs(due, steadySeconds, draw);
     const double cpuMs = 1e3 * (processCpuSeconds() - cpuStart) / static_cast<double>(times.frameMs.size());
 
-    const BenchContext context = {{"machine", machineText()},
-                                  {"renderer", session.context().renderer()},
-                                  {"OpenGL", session.context().version()},
-                                  {"scene", stage.scene.file.string()},
-                                  {"flight", fmt::format("{} s past {} cameras", command.seconds, cameras.size())},
-                                  {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
+    const BenchContext context = {
+        {"machine", machineText()},
+        {"renderer", session.context().renderer()},
+        {"OpenGL", session.context().version()},
+        {"scene", stage.scene.file.string()},
+        {"flight", fmt::format("{} s past {} cameras", command.seconds, cameras.size())},
+        {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
     nlohmann::json json = toJson(times);
     for (const auto& [key, value] : context)
         json["context"][key] = value;

@@ -276,10 +276,13 @@ std::function<Command()> defineBench(Flags& flags)
                command->variants);
     flags.toggle("--flight", "Fly past the scene's cameras, from the first to the last, in the frames that are measured",
                  command->flight);
-    flags.toggle("--yardstick", "Measure one plain pass of 100,352 textured triangles at 1024x768 too, and tell all else in it",
-                 command->yardstick);
+    flags.toggle(
+        "--yardstick",
+        "Measure one plain pass of 100,352 textured triangles at 1024x768 too, and tell all else in it",
+        command->yardstick);
     flags.toggle("--rules", "Measure the frame plan: without each rule that applies, and without all of them", command->rules);
-    flags.toggle("--interactive", "Fly past the scene's cameras at real speed: times of frames, and from input to picture",
+    flags.toggle("--interactive",
+                 "Fly past the scene's cameras at real speed: times of frames, and from input to picture",
                  command->interactive);
     flags.number("--seconds", "S", "Length of the flight of --interactive, s", command->seconds, 0.1, 3600.0);
     flags.value("--table", "N", "Measure table 2 or 3 of Mihalik 2008, chapter 10, beside its figures",

@@ -77,8 +77,8 @@ struct BenchCommand {
     bool yardstick = false; ///< tells every configuration as a multiple of it too
     bool startup = false; ///< measures the way to the first pictures instead
     bool rules = false;  ///< measures the plan's rules: without each, and without all of them
-    bool interactive = false; ///< a recorded flight at its real speed instead
-    double seconds = 20.0;    ///< that it takes
+    bool interactive = false;          ///< a recorded flight at its real speed instead
+    double seconds = 20.0;             ///< that it takes
     const PaperTable* table = nullptr; ///< measures its rows instead; null: none asked for
     std::string json;
 };

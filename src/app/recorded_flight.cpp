@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
-constexpr double mouseReports = 60.0; // a second
-constexpr double turnPeriod = 2.0;    // s, from one side to the other and back
+constexpr double mouseReports = 60.0;               // a second
+constexpr double turnPeriod = 2.0;                  // s, from one side to the other and back
 constexpr float sideways = 0.6f, upAndDown = 0.15f; // heights of the window per s, at most
 
 /// What a hand does between two jumps.

@@ -1,7 +1,8 @@
 // A person at the keys and the mouse, as a recording: for measurements that need the inputs of a real flight.
 //
-// The scene's cameras are jumped to one after the other, as by the keys 1 to 9, an equal part of the time each. From each
-// the eye flies forward, then to a side, while the mouse looks around with a position a 60th of a second, as mice report.
+// The scene's cameras are jumped to one after the other, as by the keys 1 to 9, an equal part of the time
+// each. From each the eye flies forward, then to a side, while the mouse looks around with a position a 60th
+// of a second, as mice report.
 #pragma once
 
 #include "app/viewer/fly_camera.h"
@@ -12,8 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 struct RecordedInput {
     struct Press {
@@ -36,8 +36,7 @@ struct RecordedInput {
 std::vector<RecordedInput> recordFlight(std::size_t cameras, double seconds);
 
 /// The eye of somebody who makes these inputs: moved and turned frame by frame as the viewer does it.
-class RecordedPilot
-{
+class RecordedPilot {
 public:
     /// @param cameras of the scene, at least one; they must outlive it
     explicit RecordedPilot(std::span<const Camera> cameras) : cameras_(cameras), camera_(cameras.front()) {}

@@ -1,8 +1,8 @@
 #include "gl/profiler.h"
 
 #include "gl/api.h"
-#include "gl/counters.h"
 #include "gl/context.h"
+#include "gl/counters.h"
 
 #include <algorithm>
 #include <chrono>

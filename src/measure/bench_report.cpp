@@ -72,8 +72,8 @@ std::string row(const std::string& name, const BenchSeries& series)
 
 std::string resultTable(const BenchResult& result)
 {
-    std::string text = fmt::format("\n{:<16}{:>10}{:>10}{:>10}{:>10}{:>10}{:>12}\n", result.name, "wall ms", "95 %",
-                                   "99 %", "cpu ms", "95 %", "triangles");
+    std::string text = fmt::format("\n{:<16}{:>10}{:>10}{:>10}{:>10}{:>10}{:>12}\n", result.name, "wall ms",
+                                   "95 %", "99 %", "cpu ms", "95 %", "triangles");
     for (const auto& [name, series] : result.passes)
         text += row(name, series);
     return text + row("frame", result.frame) + callsLine(result.calls);
@@ -142,8 +142,9 @@ std::string yardstickLines(const BenchReport& report)
 {
     if (!report.yardstick) return "";
     const BenchSeries& yardstick = report.yardstick->frame;
-    std::string text = fmt::format("\nthe yardstick takes {:.1f} ms (wall time) and {:.1f} ms (processor time)\n",
-                                   percentile(yardstick.wallMs, 0.5), percentile(yardstick.cpuMs, 0.5));
+    std::string text =
+        fmt::format("\nthe yardstick takes {:.1f} ms (wall time) and {:.1f} ms (processor time)\n",
+                    percentile(yardstick.wallMs, 0.5), percentile(yardstick.cpuMs, 0.5));
     for (const BenchResult& result : report.results)
         text += fmt::format("{}: {:.2f} x yardstick (wall time), {:.2f} x (processor time)\n", result.name,
                             medianRatio(result.frame.wallMs, yardstick.wallMs),

@@ -66,11 +66,13 @@ struct BenchReport {
     BenchContext context;
     BenchPlan plan;
     std::vector<BenchResult> results; ///< ratios are against the last one
-    std::optional<BenchResult> yardstick{}; ///< that every result is told as a multiple of, where it was measured
+    std::optional<BenchResult>
+        yardstick{}; ///< that every result is told as a multiple of, where it was measured
 };
 
 /// @param progress may be null
-/// @param yardstick takes turns with the subjects and is no result of its own (measure/yardstick.h); null: none
+/// @param yardstick takes turns with the subjects and is no result of its own (measure/yardstick.h); null:
+/// none
 BenchReport runBenchmark(const std::vector<std::unique_ptr<BenchSubject>>& subjects, const BenchPlan& plan,
                          Progress* progress = nullptr, BenchSubject* yardstick = nullptr);
 

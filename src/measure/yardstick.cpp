@@ -9,11 +9,9 @@
 
 #include <chrono>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr ivec2 size{1024, 768};
 constexpr std::size_t triangleCount = 100352;
@@ -32,14 +30,12 @@ mat4 mapProjection(const Bounds& bounds)
     clipFromWorld[0][0] = scale.x;
     clipFromWorld[2][1] = -scale.z;
     clipFromWorld[1][2] = -scale.y;
-    clipFromWorld[3] = vec4(-scale.x * bounds.centre().x, scale.z * bounds.centre().z, scale.y * bounds.centre().y, 1.0f);
+    clipFromWorld[3] =
+        vec4(-scale.x * bounds.centre().x, scale.z * bounds.centre().z, scale.y * bounds.centre().y, 1.0f);
     return clipFromWorld;
 }
 
-std::filesystem::path terrainFile()
-{
-    return projectRoot() / "assets" / "bench" / "terrain.toml";
-}
+std::filesystem::path terrainFile() { return projectRoot() / "assets" / "bench" / "terrain.toml"; }
 
 } // namespace
 
@@ -50,7 +46,8 @@ Yardstick::Yardstick(gl::ShaderLibrary& shaders)
     const Scene scene = loadScene(terrainFile());
     if (scene.meshes.size() != 1 || scene.meshes.front().indices.size() != 3 * triangleCount ||
         scene.images.size() != 1)
-        throw Error("{}: the yardstick is one mesh of {} triangles with one picture; make it anew with make_terrain --out "
+        throw Error("{}: the yardstick is one mesh of {} triangles with one picture; make it anew with "
+                    "make_terrain --out "
                     "assets/bench",
                     terrainFile().string(), triangleCount);
     uploadMesh(scene);

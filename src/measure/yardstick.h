@@ -1,8 +1,10 @@
-// The yardstick: what one plain pass costs on this machine, so that figures of different machines can be compared as ratios.
+// The yardstick: what one plain pass costs on this machine, so that figures of different machines can be
+// compared as ratios.
 //
-// The terrain of assets/bench, 100,352 triangles with one picture, drawn once into 1024x768 pixels of RGBA8 and a depth of 24
-// bits: seen from straight above, all of it, so that it fills the picture and hides nothing; one texture fetch with trilinear
-// filtering, no light, one sample a pixel. It depends on nothing that can be set. docs/benchmarks.md says how it is used.
+// The terrain of assets/bench, 100,352 triangles with one picture, drawn once into 1024x768 pixels of RGBA8
+// and a depth of 24 bits: seen from straight above, all of it, so that it fills the picture and hides
+// nothing; one texture fetch with trilinear filtering, no light, one sample a pixel. It depends on nothing
+// that can be set. docs/benchmarks.md says how it is used.
 #pragma once
 
 #include "gl/buffer.h"
@@ -14,14 +16,12 @@
 
 #include <memory>
 
-namespace tarn
-{
+namespace tarn {
 
 struct Scene;
 
 /// Needs a current context for its whole life.
-class Yardstick : public BenchSubject
-{
+class Yardstick : public BenchSubject {
 public:
     /// Loads the terrain. Throws Error when assets/bench is not as it should be.
     explicit Yardstick(gl::ShaderLibrary& shaders);

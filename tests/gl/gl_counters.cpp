@@ -9,10 +9,8 @@
 
 #include <thread>
 
-namespace tarn::gl
-{
-namespace
-{
+namespace tarn::gl {
+namespace {
 
 TEST(GlCounters, CountEachKindOfCall)
 {

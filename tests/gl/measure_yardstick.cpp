@@ -7,10 +7,8 @@
 
 #include <algorithm>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 TEST(Yardstick, DrawsTheWholeTerrainInOnePlainCall)
 {

@@ -164,8 +164,11 @@ TEST(CommandLine, BenchInteractive)
     EXPECT_TRUE(c.interactive);
     EXPECT_EQ(c.scene.file, "s.toml");
     EXPECT_DOUBLE_EQ(c.seconds, 2.5);
-    for (const std::vector<std::string>& other :
-         {std::vector<std::string>{"--flight"}, {"--rules"}, {"--yardstick"}, {"--table", "2"}, {"--vary", "a.b=c"}}) {
+    for (const std::vector<std::string>& other : {std::vector<std::string>{"--flight"},
+                                                  {"--rules"},
+                                                  {"--yardstick"},
+                                                  {"--table", "2"},
+                                                  {"--vary", "a.b=c"}}) {
         std::vector<std::string> words{"bench", "--interactive"};
         words.insert(words.end(), other.begin(), other.end());
         EXPECT_NE(complaint(words).find("a flight of its own"), std::string::npos) << other.front();

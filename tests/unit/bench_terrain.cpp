@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 const Scene& terrain()
 {

@@ -8,10 +8,8 @@
 
 #include <algorithm>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 /// Draws frames that take as long as they are told; the last duration goes on.
 struct FakeScreen {
@@ -58,7 +56,8 @@ TEST(Interactive, OneSlowFrameIsTheLongestDelayOfAllThatWaitedForIt)
         due.push_back(0.01 * i);
     const InteractiveTimes times = screen.play(due);
     ASSERT_EQ(times.delayMs.size(), due.size()) << "every input is shown";
-    // The input of 10 ms is taken by the slow frame at 15 ms; the one of 20 ms comes during it and waits for the next.
+    // The input of 10 ms is taken by the slow frame at 15 ms; the one of 20 ms comes during it and waits for
+    // the next.
     EXPECT_NEAR(times.delayMs[1], 505.0, 1e-6);
     EXPECT_NEAR(times.delayMs[2], 510.0, 1e-6);
     EXPECT_NEAR(*std::max_element(times.frameMs.begin(), times.frameMs.end()), 500.0, 1e-6);
@@ -121,7 +120,8 @@ TEST(RecordedFlight, ThePilotFliesAtRealSpeedWhateverTheFrameRate)
     start.eye = vec3(0.0f, 2.0f, 0.0f);
     start.target = vec3(0.0f, 2.0f, -10.0f);
     const std::vector<Camera> cameras{start};
-    const std::vector<RecordedInput> inputs = {{0.0, RecordedInput::Jump{0}}, {0.0, RecordedInput::Press{keyOf('W')}}};
+    const std::vector<RecordedInput> inputs = {{0.0, RecordedInput::Jump{0}},
+                                               {0.0, RecordedInput::Press{keyOf('W')}}};
     for (const double step : {0.01, 0.2}) {
         RecordedPilot pilot(cameras);
         pilot.take(inputs, 0.0);

@@ -210,9 +210,11 @@ TEST(Benchmark, EveryResultIsToldInYardsticks)
     EXPECT_EQ(yardstickLines(report), "");
     EXPECT_FALSE(toJson(report).contains("yardstick"));
     report.yardstick = BenchResult{"yardstick", {{2.0, 2.0, 50.0}, {4.0, 4.0, 5.0}, 100352}, {}};
-    EXPECT_NE(toTable(report).find("water: 3.50 x yardstick (wall time), 10.00 x (processor time)"), std::string::npos)
+    EXPECT_NE(toTable(report).find("water: 3.50 x yardstick (wall time), 10.00 x (processor time)"),
+              std::string::npos)
         << toTable(report);
-    EXPECT_NE(toTable(report).find("dry: 1.00 x yardstick (wall time), 2.50 x"), std::string::npos) << toTable(report);
+    EXPECT_NE(toTable(report).find("dry: 1.00 x yardstick (wall time), 2.50 x"), std::string::npos)
+        << toTable(report);
     const nlohmann::json json = toJson(report);
     EXPECT_DOUBLE_EQ(json["configurations"][0]["yardsticks"]["cpu"], 10.0);
     EXPECT_DOUBLE_EQ(json["yardstick"]["frame"]["wall_ms"]["median"], 2.0);
@@ -223,8 +225,7 @@ TEST(Benchmark, EveryResultIsToldInYardsticks)
 TEST(Benchmark, CountsTheCallsOfTheMeasuredFrames)
 {
     /// Calls OpenGL more often with each frame; prepares with many calls more.
-    class Caller : public FakeSubject
-    {
+    class Caller : public FakeSubject {
     public:
         using FakeSubject::FakeSubject;
         void prepare(int, bool) override { call(100); }

@@ -4,8 +4,8 @@
 //
 //     h = 12 m (0.6 (3 r^2 - 1) + 0.25 noise)        r: distance from the middle over 50 m
 //
-// with smooth value noise from -1 to 1. Only sums, products and quotients of doubles are used, so that the files are the
-// same on every machine.
+// with smooth value noise from -1 to 1. Only sums, products and quotients of doubles are used, so that the
+// files are the same on every machine.
 
 #include "base/error.h"
 #include "base/files.h"
@@ -53,7 +53,9 @@ double valueNoise(double x, double z, std::uint32_t layer, int period = 0)
 {
     const double floorX = std::floor(x), floorZ = std::floor(z);
     const int i = static_cast<int>(floorX), k = static_cast<int>(floorZ);
-    const auto at = [&](int di, int dk) { return latticeValue(wrapped(i + di, period), wrapped(k + dk, period), layer); };
+    const auto at = [&](int di, int dk) {
+        return latticeValue(wrapped(i + di, period), wrapped(k + dk, period), layer);
+    };
     const double u = fade(x - floorX), v = fade(z - floorZ);
     return mix(mix(at(0, 0), at(1, 0), u), mix(at(0, 1), at(1, 1), u), v);
 }
@@ -94,11 +96,12 @@ std::string number(double value, int decimals)
     return text == "-0" ? "0" : text;
 }
 
-/// Indices count back from the face's own line, which makes the file a third smaller; normals are left to the reader,
-/// who smooths them.
+/// Indices count back from the face's own line, which makes the file a third smaller; normals are left to the
+/// reader, who smooths them.
 std::string terrainObj()
 {
-    std::string text = "# Made by make_terrain; see README.md in this folder.\nmtllib terrain.mtl\no terrain\ns 1\nusemtl ground\n";
+    std::string text = "# Made by make_terrain; see README.md in this folder.\nmtllib terrain.mtl\no "
+                       "terrain\ns 1\nusemtl ground\n";
     for (int row = 0; row <= cells; ++row)
         for (int column = 0; column <= cells; ++column) {
             const double x = coordinate(column), z = coordinate(row);
@@ -180,11 +183,15 @@ colour = [0.006, 0.026, 0.028]
     struct Sine {
         double amplitude, wavelength, direction, phase; // m, m, degrees, degrees
     };
-    constexpr Sine sines[] = {
-        {0.018, 6.1, 60, 14}, {0.015, 4.3, -11, 169}, {0.011, 2.9, 66, 270}, {0.008, 2.0, -25, 310}, {0.005, 1.3, 54, 242}};
+    constexpr Sine sines[] = {{0.018, 6.1, 60, 14},
+                              {0.015, 4.3, -11, 169},
+                              {0.011, 2.9, 66, 270},
+                              {0.008, 2.0, -25, 310},
+                              {0.005, 1.3, 54, 242}};
     for (const Sine& s : sines)
-        text += fmt::format("\n[[water.waves]]\namplitude = {}\nwavelength = {}\ndirection = {}\nphase = {}\n", s.amplitude,
-                            s.wavelength, s.direction, s.phase);
+        text +=
+            fmt::format("\n[[water.waves]]\namplitude = {}\nwavelength = {}\ndirection = {}\nphase = {}\n",
+                        s.amplitude, s.wavelength, s.direction, s.phase);
     text += R"(
 [[models]]
 name = "terrain"
@@ -203,7 +210,8 @@ shape = "terrain"
         {"above", {0.0, 115.0, 66.0}, {0.0, 0.0, 3.0}, 54.0},
     };
     for (const View& view : views)
-        text += fmt::format("\n[[cameras]]\nname = \"{}\"\neye = [{:.3f}, {:.3f}, {:.3f}]\ntarget = [{:.3f}, {:.3f}, {:.3f}]\n"
+        text += fmt::format("\n[[cameras]]\nname = \"{}\"\neye = [{:.3f}, {:.3f}, {:.3f}]\ntarget = [{:.3f}, "
+                            "{:.3f}, {:.3f}]\n"
                             "fov = {:.1f}\nnear = 0.1\nfar = 400.0\n",
                             view.name, view.eye[0], view.eye[1], view.eye[2], view.target[0], view.target[1],
                             view.target[2], view.fov);
