@@ -9,6 +9,8 @@
 #include "studio.h"
 #include "test_scenes.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace tarn::test {
