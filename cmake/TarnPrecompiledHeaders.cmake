@@ -1,7 +1,7 @@
 # tarn_precompiled(TARGET common|json|tests)
 #
 # Headers of the standard library and of other projects that most sources read are parsed once: reading them again and again
-# is a third of what compiling Tarn costs. Only those: a header of Tarn's own would rebuild everything when it changes. A
+# is a quarter of what compiling Tarn costs. Only those: a header of Tarn's own would rebuild everything when it changes. A
 # source still includes all that it uses; the preset `dev` builds without any of this and shows when one does not.
 #
 # A compiler cache does better than precompiled headers and works badly with them, so that they are off where there is one.

@@ -299,7 +299,7 @@ test_json() {
     call 0 bench "$pool" --size 32x24 --frames 2 --table 2 --json c.json
     grep -q '^| caustics off ' "$work/stdout" || fail "bench --table 2 has no row without caustics"
     grep -q '"ours_over_thesis"' c.json || fail "the table's JSON does not compare with the thesis"
-    only_in_out a.json a.png b.json c.json d.json
+    only_in_out a.json a.png b.json c.json d.json i.json y.json
 }
 
 test_budget() {
