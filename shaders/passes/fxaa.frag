@@ -12,15 +12,20 @@ out vec4 fragment;
 
 float lumaAt(vec2 at) { return textureLod(source, at, 0.0).a; }
 
+// Of a neighbour itself, without the four texels that a filter would read; beyond the border, the border's.
+float lumaBeside(int x, int y)
+{
+    ivec2 at = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), textureSize(source, 0) - 1);
+    return texelFetch(source, at, 0).a;
+}
+
 void main()
 {
     vec2 texel = 1.0 / vec2(textureSize(source, 0));
-    vec4 colour = textureLod(source, uv, 0.0);
-    vec3 above = vec3(lumaAt(uv + vec2(-1.0, 1.0) * texel), lumaAt(uv + vec2(0.0, 1.0) * texel),
-                      lumaAt(uv + vec2(1.0, 1.0) * texel));
-    vec3 middle = vec3(lumaAt(uv + vec2(-1.0, 0.0) * texel), colour.a, lumaAt(uv + vec2(1.0, 0.0) * texel));
-    vec3 below = vec3(lumaAt(uv + vec2(-1.0, -1.0) * texel), lumaAt(uv + vec2(0.0, -1.0) * texel),
-                      lumaAt(uv + vec2(1.0, -1.0) * texel));
+    vec4 colour = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
+    vec3 above = vec3(lumaBeside(-1, 1), lumaBeside(0, 1), lumaBeside(1, 1));
+    vec3 middle = vec3(lumaBeside(-1, 0), colour.a, lumaBeside(1, 0));
+    vec3 below = vec3(lumaBeside(-1, -1), lumaBeside(0, -1), lumaBeside(1, -1));
     float darkest = min(min(min(above.y, below.y), min(middle.x, middle.z)), colour.a);
     float brightest = max(max(max(above.y, below.y), max(middle.x, middle.z)), colour.a);
     float sides = above.y + below.y + middle.x + middle.z;

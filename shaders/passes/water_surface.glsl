@@ -6,6 +6,8 @@ in vec3 drawnW; // what the grid's triangle shows
 in vec2 vertexSlope;
 #endif
 
+uniform float footprint; // of what is shown of a pixel, in parts of its edge: less than 1 where samples of it are averaged
+
 vec3 surfaceW; // U: on the waves themselves after surfaceHere()
 
 struct Surface {
@@ -58,7 +60,7 @@ vec2 slopeOf(vec3 normal) { return -normal.xz / normal.y; }
 // show for the mean one, and what these have lost as roughness.
 void addRipples(inout Surface s)
 {
-    vec2 across = dFdx(drawnW.xz) / normalMapTile, along = dFdy(drawnW.xz) / normalMapTile;
+    vec2 across = dFdx(drawnW.xz) * (footprint / normalMapTile), along = dFdy(drawnW.xz) * (footprint / normalMapTile);
     vec3 sum = vec3(0.0), meanSum = vec3(0.0);
     float lost = 0.0;
     for (int i = 0; i < 4; ++i) {
@@ -109,8 +111,8 @@ Surface surfaceHere()
     s.meanNormal = s.normal;
 #else
     // A wave fades, before it aliases, by how much of it lies between two pixels.
-    vec2 across = dFdx(drawnW.xz);
-    vec2 along = dFdy(drawnW.xz);
+    vec2 across = footprint * dFdx(drawnW.xz);
+    vec2 along = footprint * dFdy(drawnW.xz);
     vec2 slope = vec2(0.0), meanSlope = vec2(0.0);
 #define WAVE(i) addSlope(waves[i], across, along, slope, meanSlope, s.roughness);
     EACH_WAVE

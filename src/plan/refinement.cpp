@@ -18,6 +18,11 @@ float radicalInverse(int i, int base)
 } // namespace
 
 /// Halton's points of bases 2 and 3, moved round the pixel so that the first is its middle.
+float footprintOf(int sample)
+{
+    return sample > 1 ? 1.0f / std::sqrt(static_cast<float>(Refinement::samples)) : 1.0f;
+}
+
 vec2 jitterOf(int sample)
 {
     const int i = std::max(sample, 1) - 1;

@@ -51,4 +51,8 @@ private:
 /// itself, so that the average begins with the picture that is there.
 vec2 jitterOf(int sample);
 
+/// How much of a pixel's edge the n-th sample stands for: waves and ripples that fade because a pixel cannot show them are
+/// shown by sixteen. The first stands for all of it, for the same reason.
+float footprintOf(int sample);
+
 } // namespace tarn

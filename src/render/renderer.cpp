@@ -482,6 +482,7 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .skyMap = gpuScene.skyMap(),
                              .ior = water.ior,
                              .waveCount = drawnWaveCount(water),
+                             .footprint = footprintOf(input.sample),
                              .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                              .underwater = isBelow,
                              .view = input.view};

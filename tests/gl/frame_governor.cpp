@@ -117,10 +117,10 @@ TEST(FrameGovernor, AveragedSamplesAreTheSupersampledPicture)
     options.frame.scale = 8.0f;
     stage.renderer.setOptions(options, scene.water);
     const Image truth = draw(0);
-    EXPECT_LT(rmse(mean, truth), 0.35 * rmse(alone, truth)) << "of the single sample's error";
+    EXPECT_LT(rmse(mean, truth), 0.45 * rmse(alone, truth)) << "of the single sample's error";
     options.frame.scale = 4.0f;
     stage.renderer.setOptions(options, scene.water);
-    EXPECT_LT(rmse(mean, truth), 2.5 * rmse(draw(0), truth)) << "about as good as so many samples on a grid";
+    EXPECT_LT(rmse(mean, truth), 1.25 * rmse(draw(0), truth)) << "about as good as so many samples on a grid";
 }
 
 TEST(FrameGovernor, TargetsAndMapsStayWhileSamplesAreAveraged)

@@ -31,6 +31,7 @@ const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const 
     p.texture("sceneDepth", inputs.sceneDepth);
     p.set("glowColour", options.glow.strength * options.glow.colour);
     p.set("glowExponent", options.glow.exponent);
+    p.set("footprint", 1.0f);
     if (inputs.normalMap) inputs.normalMap.set(p);
     {
         std::optional<gl::VisibilityQuery::Condition> condition; // not of the clear: what an earlier frame left would glow

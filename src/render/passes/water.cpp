@@ -140,6 +140,7 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
     };
     use();
     p.texture("skyMap", inputs.skyMap);
+    p.set("footprint", inputs.footprint);
     if (inputs.bed) setBed(p, *inputs.bed);
     if (inputs.afloat) setAfloat(p, *inputs.afloat);
     if ((inputs.bed || inputs.afloat) && options.heights.march == HeightsOptions::March::classic)

@@ -39,6 +39,7 @@ public:
         const gl::Texture& skyMap;
         float ior = 1.33f;       ///< of the water
         int waveCount = 0;
+        float footprint = 1.0f;  ///< of a pixel's edge that one of its samples stands for
         NormalMapInputs normalMap{};
         bool underwater = false; ///< the surface is seen from below
         std::optional<WaterGrid::Sight> sight{}; ///< what of the grid is seen; empty: all of it is drawn
