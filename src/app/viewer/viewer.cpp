@@ -260,6 +260,7 @@ void Viewer::drawWidgets(const FrameStats& stats)
                        .triangles = stats.triangles(),
                        .stereo = stereoText(stage_.settings.options.stereo),
                        .comparison = compares() ? comparison_->note() : "",
+                       .draft = !picture_.isFull(),
                        .building = buildingNote(),
                        .message = now < messageUntil_ ? message_ : "",
                        .shaderError = picture_.report().shaderError};
