@@ -1,5 +1,5 @@
 // The draft's water: mirrors the sky by Fresnel's formula and lets through what draft.frag has drawn behind it. The normal
-// is that of the first few waves. UNDERWATER: seen from below, where it mirrors the water itself.
+// is that of the first few waves. UNDERWATER: seen from below it mirrors the water itself, and shows the sky alone.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/waves.glsl"
@@ -24,13 +24,14 @@ void main()
 #ifdef UNDERWATER
     vec3 n = -waveNormal(slope);
     float mirrored = fresnelExact(max(dot(n, toEye), 0.0), ior);
-    vec3 radiance = deepRadiance;
+    vec3 sky = texture(skyMap, refractRay(-toEye, n, ior)).rgb * (ior * ior); // it narrows as it enters
+    vec3 radiance = mix(sky, deepRadiance, mirrored);
+    fragment = vec4(radianceThroughWater(radiance, deepRadiance, beerLambert(absorption, range)), 1.0);
 #else
     vec3 n = waveNormal(slope);
     float mirrored = fresnelExact(max(dot(n, toEye), 0.0), 1.0 / ior);
     vec3 direction = reflectRay(-toEye, n);
     direction.y = abs(direction.y); // down, it would meet the next wave, which mirrors it up
-    vec3 radiance = texture(skyMap, direction).rgb;
+    fragment = vec4(mirrored * texture(skyMap, direction).rgb, mirrored);
 #endif
-    fragment = vec4(mirrored * radiance, mirrored);
 }

@@ -1,6 +1,5 @@
 #include "app/live_picture.h"
 
-#include "gl/shader_library.h"
 #include "render/gpu_scene.h"
 #include "render/renderer_source.h"
 
@@ -84,18 +83,14 @@ std::unique_ptr<FrameSource> LivePicture::makeDraft(const StopSignal& stop)
 std::unique_ptr<FrameSource> LivePicture::makeFull(const Scene& scene, const Settings& settings,
                                                    const StopSignal& stop)
 {
-    StoppableProgress progress(progress_, stop);
-    std::unique_ptr<GpuScene> uploaded = uploadScene(scene, settings.options, &progress);
+    building_ = std::make_unique<StoppableProgress>(progress_, stop);
+    std::shared_ptr<GpuScene> uploaded = uploadScene(scene, settings.options, building_.get());
     gl::Fence there;
     there.place();
     there.wait(); // the draft's context must not draw from it before
     times_.note(StartupEvent::uploaded);
     promise_.set_value(DraftScene(*uploaded));
-    auto source =
-        std::make_unique<RendererSource>(std::move(uploaded), settings.options, settings.water, &progress);
-    programs_ = source->renderer()->shaders().built();
-    times_.note(StartupEvent::programs);
-    return source;
+    return std::make_unique<RendererSource>(std::move(uploaded), settings.options, settings.water, building_.get());
 }
 
 void LivePicture::ask(const FrameRequest& request)
@@ -127,6 +122,7 @@ bool LivePicture::take()
         isNew = true;
     }
     if (isFull_ && draft_ && draft_->hasEnded()) draft_.reset();
+    if (isBuilt()) times_.note(StartupEvent::programs);
     return isNew;
 }
 

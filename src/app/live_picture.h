@@ -56,8 +56,8 @@ public:
     SharedProgress::State progress() const { return progress_.state(); }
     /// With the renderer, between two of its frames; it waits until that is built.
     void post(FrameThread::Job job) { full_->post(std::move(job)); }
-    /// That the renderer had built when its pictures began.
-    std::size_t programs() const { return programs_; }
+    /// All programs that the settings may need are built.
+    bool isBuilt() const { return isFull_ && full_->isIdle(); }
     const StartupTimes& times() const { return times_; }
     StartupTimes& times() { return times_; }
 
@@ -75,7 +75,7 @@ private:
     std::function<void()> wake_;
     StartupTimes times_;
     SharedProgress progress_;
-    std::atomic<std::size_t> programs_ = 0;
+    std::unique_ptr<Progress> building_; ///< of the renderer's thread
     std::promise<DraftScene> promise_;
     std::future<DraftScene> snapshot_ = promise_.get_future();
 

@@ -160,6 +160,7 @@ void Program::adopt(Object linked, const Bindings& bindings)
     slots_ = std::move(slots);
     missing_.clear();
     anyDirty_ = true;
+    used_ = false;
     restore();
     if (current_ == this) use();
     if (isReload) ++generation_;
@@ -168,10 +169,7 @@ void Program::adopt(Object linked, const Bindings& bindings)
 void Program::use() const
 {
     count(Call::programBind);
-    if (firstUses_->round != countedFor_ && firstUses_->next) {
-        countedFor_ = firstUses_->round;
-        firstUses_->next();
-    }
+    if (!used_) used_ = !firstUses_->next || firstUses_->next(*this);
     glUseProgram(object_.name());
     current_ = this;
     if (!anyDirty_) return;

@@ -53,10 +53,11 @@ private:
     int slot_ = -1;
 };
 
-/// Counts the programs of a library that are used, each once a round: many drivers finish a program at its first draw.
+class Program;
+
+/// Watches for the first use of each program of a library: many drivers finish a program at its first draw.
 struct FirstUses {
-    int round = 0; ///< 0: nobody counts
-    std::function<void()> next; ///< before each program's first use in a round
+    std::function<bool(const Program&)> next; ///< called before it; when the answer is false, the use does not count
 };
 
 class Program
@@ -145,7 +146,7 @@ private:
     mutable bool anyDirty_ = false;
     int generation_ = 0;
     std::shared_ptr<FirstUses> firstUses_;
-    mutable int countedFor_ = 0; ///< FirstUses::round that its first use was counted in
+    mutable bool used_ = false; ///< since it was linked
     static thread_local const Program* current_; ///< of this thread's context
 };
 

@@ -92,12 +92,6 @@ std::shared_ptr<Program> ShaderLibrary::program(const std::string& name, const s
     return result;
 }
 
-void ShaderLibrary::countFirstUses(std::function<void()> next)
-{
-    ++firstUses_->round;
-    firstUses_->next = std::move(next);
-}
-
 Object ShaderLibrary::build(Entry& entry) const
 {
     entry.files.clear();

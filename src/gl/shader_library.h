@@ -44,8 +44,9 @@ public:
     /// HUD.
     const std::string& lastError() const { return lastError_; }
 
-    /// Calls `next` before the first use of each program from now on, used before or not, until it is called with nothing.
-    void countFirstUses(std::function<void()> next);
+    /// Calls `next` before the first use of each program, until this is called with nothing; when it answers false, the use
+    /// does not count as the first.
+    void watchFirstUses(std::function<bool(const Program&)> next) { firstUses_->next = std::move(next); }
 
     /// How many programs were built so far, again for edited files too.
     std::size_t built() const { return built_; }

@@ -3,10 +3,14 @@
 #include "base/error.h"
 #include "optics/optics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <string_view>
 
 namespace tarn {
 
@@ -123,6 +127,43 @@ double scaleFor(const Level& level, const CutOut& cutOut, double coverage)
     return last > 1e-6 ? (static_cast<double>(cutOut.cutoff) + 0.5 / 255.0) / last : 1.0;
 }
 
+/// Raise it whenever the same picture gives other levels.
+constexpr int methodVersion = 1;
+
+std::string cacheKey(const Image& image, const CutOut& cutOut, CutOutLevels kind)
+{
+    const std::string_view content(reinterpret_cast<const char*>(image.bytes.data()), image.bytes.size());
+    return fmt::format("mip levels of a cut-out {}: {}x{}x{} {:016x} channel {} cutoff {:a} srgb {} kind {}",
+                       methodVersion, image.width, image.height, image.channels, hashOf(content), cutOut.channel,
+                       cutOut.cutoff, cutOut.isSrgb, static_cast<int>(kind));
+}
+
+std::string joined(const std::vector<Image>& levels)
+{
+    std::string bytes;
+    for (const Image& level : levels)
+        bytes.append(reinterpret_cast<const char*>(level.bytes.data()), level.bytes.size());
+    return bytes;
+}
+
+/// Nothing when the bytes are not as many as the levels have.
+std::optional<std::vector<Image>> separated(const std::string& bytes, const Image& image)
+{
+    std::vector<Image> levels;
+    std::size_t from = 0;
+    for (ivec2 size(image.width, image.height); size != ivec2(1);) {
+        size = glm::max(size / 2, ivec2(1));
+        Image level{image.name, size.x, size.y, image.channels, {}, {}};
+        if (from + level.size() > bytes.size()) return std::nullopt;
+        const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data()) + from;
+        level.bytes.assign(first, first + level.size());
+        from += level.size();
+        levels.push_back(std::move(level));
+    }
+    if (from != bytes.size()) return std::nullopt;
+    return levels;
+}
+
 } // namespace
 
 double coverageOf(const Image& image, const CutOut& cutOut)
@@ -146,6 +187,16 @@ std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut, CutOutLe
         const double scale = kind == CutOutLevels::covering ? scaleFor(level, cutOut, coverage) : 1.0;
         levels.push_back(encoded(level, cutOut, scale, image.name));
     }
+    return levels;
+}
+
+std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut, CutOutLevels kind, const DiskCache& cache)
+{
+    const std::string key = cacheKey(image, cutOut, kind);
+    if (const std::optional<std::string> bytes = cache.read(key))
+        if (auto levels = separated(*bytes, image)) return *std::move(levels);
+    std::vector<Image> levels = cutOutMips(image, cutOut, kind);
+    cache.write(key, joined(levels));
     return levels;
 }
 

@@ -1,6 +1,7 @@
 // Mip levels of cut-out pictures (leaves, reeds), which keep as much of themselves as they get small.
 #pragma once
 
+#include "base/disk_cache.h"
 #include "scene/image.h"
 
 #include <vector>
@@ -29,6 +30,9 @@ enum class CutOutLevels {
 ///
 /// Needs bytes; throws Error for a picture of floats or without the channel.
 std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut, CutOutLevels levels);
+
+/// The same; what the cache has for the same picture and cut-out is taken from there, and what it has not is added.
+std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut, CutOutLevels levels, const DiskCache& cache);
 
 /// Share of the texels that are there, 0 to 1.
 double coverageOf(const Image& image, const CutOut& cutOut);

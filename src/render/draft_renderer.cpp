@@ -214,7 +214,7 @@ void DraftRenderer::drawWater(const gl::Texture& skyMap, bool underwater)
     gl::apply({.depthWrite = false, .blend = gl::Blend::premultiplied});
     gl::Program& program = waterProgram(underwater);
     program.use();
-    if (!underwater) program.texture("skyMap", skyMap);
+    program.texture("skyMap", skyMap);
     rectangle_.draw(gl::Primitive::triangleStrip, 0, 4);
 }
 

@@ -45,6 +45,8 @@ public:
     /// What the last draw() made, as shown.
     virtual const gl::Framebuffer& picture() const = 0;
     virtual FrameReport report() const = 0;
+    /// A small piece of work that can wait until a frame is delivered. Returns false when there is none.
+    virtual bool workAhead() { return false; }
     /// Null when another thing draws.
     virtual Renderer* renderer() { return nullptr; }
 };

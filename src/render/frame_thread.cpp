@@ -77,10 +77,19 @@ void FrameThread::work(const Make& make)
 
 void FrameThread::serve(FrameSource& source)
 {
+    bool hasWork = false; // to be done ahead
     bool jobDrew = false; // what the source says is unchanged may be so since a job, and was never shown
     for (;;) {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return stop_.isSet() || !jobs_.empty() || (asked_ && !finished_); });
+        const auto isNeeded = [&] { return stop_.isSet() || !jobs_.empty() || (asked_ && !finished_); };
+        if (hasWork && !isNeeded()) {
+            lock.unlock();
+            hasWork = source.workAhead();
+            idle_ = !hasWork;
+            if (idle_) wake_();
+            continue;
+        }
+        changed_.wait(lock, isNeeded);
         if (stop_.isSet()) return;
         if (!jobs_.empty()) {
             const Job job = std::move(jobs_.front());
@@ -105,6 +114,8 @@ void FrameThread::serve(FrameSource& source)
         }
         ++answered_;
         wake_();
+        hasWork = source.workAhead();
+        idle_ = !hasWork;
     }
 }
 

@@ -72,6 +72,8 @@ public:
     /// Null before the first take().
     std::shared_ptr<const gl::Texture> picture() const { return front_ ? front_->texture : nullptr; }
     const FrameReport& report() const { return shownReport_; } ///< of picture()
+    /// The source had nothing left to do ahead when it last had the time.
+    bool isIdle() const { return idle_; }
     /// Requests that have been drawn, those whose picture had not changed among them.
     int answered() const { return answered_; }
 
@@ -90,7 +92,7 @@ private:
     std::unique_ptr<gl::Context> context_;
     std::function<void()> wake_;
     StopSignal stop_;
-    std::atomic<bool> ended_ = false, ready_ = false;
+    std::atomic<bool> ended_ = false, ready_ = false, idle_ = false;
     std::atomic<int> answered_ = 0;
 
     mutable std::mutex mutex_; ///< of what follows

@@ -143,6 +143,8 @@ std::optional<CutOut> cutOutOf(const Scene& scene, int index, bool isColour)
 
 } // namespace
 
+constexpr std::uintmax_t mostCachedBytes = 64 << 20; // the lake's take 8 MB
+
 gl::Texture GpuScene::uploaded(int index, MapUse use, CutOutLevels levels) const
 {
     const Image& image = scene_.images[static_cast<std::size_t>(index)];
@@ -164,8 +166,9 @@ gl::Texture GpuScene::uploaded(int index, MapUse use, CutOutLevels levels) const
         texture.upload(std::span<const std::uint8_t>(image.channels == 1 ? spreadGrey(rows) : rows), channels);
     }
     if (const std::optional<CutOut> cutOut = cutOutOf(scene_, index, use == MapUse::colour)) {
+        const DiskCache cache(cacheFolder() / "mip-levels", mostCachedBytes);
         int level = 0;
-        for (const Image& small : cutOutMips(image, *cutOut, levels)) {
+        for (const Image& small : cutOutMips(image, *cutOut, levels, cache)) {
             const auto rows = bottomUp(small.bytes, small.width, small.height, small.channels);
             texture.upload(std::span<const std::uint8_t>(small.channels == 1 ? spreadGrey(rows) : rows), channels, 0, ++level);
         }

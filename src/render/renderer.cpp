@@ -105,13 +105,13 @@ bool allowsDetail(const Options& options) { return options.plan.enabled && !opti
 
 } // namespace
 
-std::unique_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress)
+std::shared_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress)
 {
-    return std::make_unique<GpuScene>(scene, anisotropyFor(options.frame), progress);
+    return std::make_shared<GpuScene>(scene, anisotropyFor(options.frame), progress);
 }
 
 struct Renderer::State {
-    State(std::unique_ptr<GpuScene> uploaded, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p)
+    State(std::shared_ptr<GpuScene> uploaded, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p)
         : scene(uploaded->scene()), options(o), water(scene.water), shaders(library),
           uploadedScene(std::move(uploaded)), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
           waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
@@ -123,7 +123,7 @@ struct Renderer::State {
     Options options;
     WaterBody water;
     gl::ShaderLibrary& shaders;
-    std::unique_ptr<GpuScene> uploadedScene;
+    std::shared_ptr<GpuScene> uploadedScene;
     GpuScene& gpuScene = *uploadedScene;
     ScenePainter painter;
     Drawing drawing;
@@ -202,7 +202,7 @@ Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary
 {
 }
 
-Renderer::Renderer(std::unique_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
+Renderer::Renderer(std::shared_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
                    gl::Profiler& profiler, Progress* progress)
     : state_(std::make_unique<State>(std::move(uploaded), options, shaders, profiler))
 {

@@ -86,7 +86,7 @@ struct CausticsMap {
 
 /// Meshes, textures and sky on the graphics card, as a renderer with these options needs them. Keeps a reference to the
 /// scene. A thread of its own may do it, in a context of the same share group (render/frame_thread.h).
-std::unique_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress);
+std::shared_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress);
 
 class Renderer {
 public:
@@ -94,8 +94,8 @@ public:
     /// but the progress. Throws Error when a shader does not compile.
     Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
              Progress* progress = nullptr);
-    /// The same with a scene that is uploaded already.
-    Renderer(std::unique_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
+    /// The same with a scene that is uploaded already; renderers in one context may share it.
+    Renderer(std::shared_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
              gl::Profiler& profiler, Progress* progress = nullptr);
     ~Renderer();
     Renderer(const Renderer&) = delete;

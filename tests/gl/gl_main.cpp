@@ -21,6 +21,16 @@ extern "C" const char* __lsan_default_suppressions()
 namespace tarn::test
 {
 
+namespace
+{
+gl::Context* context = nullptr;
+}
+
+gl::Context& testContext()
+{
+    return *context;
+}
+
 const char* const fullscreenVertex = R"(
 void main()
 {
@@ -94,6 +104,7 @@ int main(int argc, char** argv)
     testing::InitGoogleTest(&argc, argv);
     try {
         const auto context = tarn::gl::makeHeadlessContext({64, 64}, true);
+        tarn::test::context = context.get();
         testing::UnitTest::GetInstance()->listeners().Append(new tarn::test::NoGlErrors);
         return RUN_ALL_TESTS();
     } catch (const std::exception& error) {

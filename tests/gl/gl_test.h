@@ -2,6 +2,7 @@
 // OpenGL debug error during a test fails it.
 #pragma once
 
+#include "gl/context.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/shader_library.h"
@@ -13,6 +14,9 @@
 
 namespace tarn::test
 {
+
+/// The context that the tests run in.
+gl::Context& testContext();
 
 /// A folder of shaders that lives as long as the test, with the real prelude in it.
 class ShaderFolder

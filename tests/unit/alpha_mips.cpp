@@ -2,11 +2,14 @@
 #include "render/alpha_mips.h"
 
 #include "base/error.h"
+#include "temp_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace tarn {
@@ -35,6 +38,40 @@ double blobs(double u, double v)
 {
     const double wave = std::sin(37.0 * u + 5.0 * std::sin(11.0 * v)) * std::cos(29.0 * v + 3.0 * std::sin(17.0 * u));
     return std::clamp(0.5 + 2.0 * (wave - 0.3), 0.0, 1.0);
+}
+
+TEST(AlphaMips, ComeFromTheCacheAsTheyAreMade)
+{
+    const test::TempFolder folder;
+    const DiskCache cache(folder.path(), 1 << 20);
+    const auto bytesOf = [](const std::vector<Image>& levels) {
+        std::vector<std::vector<std::uint8_t>> all;
+        for (const Image& level : levels) all.push_back(level.bytes);
+        return all;
+    };
+    const auto filesIn = [](const std::filesystem::path& path) {
+        return std::distance(std::filesystem::directory_iterator(path), std::filesystem::directory_iterator());
+    };
+    Image image = cutOutPicture(48, 20, blobs);
+    const CutOut cutOut{3, 0.5f, true};
+    const auto made = bytesOf(cutOutMips(image, cutOut, CutOutLevels::covering));
+    for (const char* when : {"missed", "found"}) {
+        const std::vector<Image> levels = cutOutMips(image, cutOut, CutOutLevels::covering, cache);
+        EXPECT_EQ(bytesOf(levels), made) << when;
+        EXPECT_EQ(levels.front().width, 24) << when;
+        EXPECT_EQ(filesIn(folder.path()), 1) << when;
+    }
+    // Everything that the levels depend on is in the key.
+    EXPECT_NE(bytesOf(cutOutMips(image, cutOut, CutOutLevels::shares, cache)), made);
+    EXPECT_NE(bytesOf(cutOutMips(image, {3, 0.9f, true}, CutOutLevels::covering, cache)), made);
+    image.bytes[5] ^= 0x80;
+    EXPECT_EQ(bytesOf(cutOutMips(image, cutOut, CutOutLevels::covering, cache)),
+              bytesOf(cutOutMips(image, cutOut, CutOutLevels::covering)));
+    EXPECT_EQ(filesIn(folder.path()), 4);
+    // Bytes that are whole, but not the levels of this picture: the cache was made by another program.
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) std::filesystem::remove(entry);
+    image.bytes[5] ^= 0x80;
+    EXPECT_EQ(bytesOf(cutOutMips(image, cutOut, CutOutLevels::covering, cache)), made);
 }
 
 TEST(AlphaMips, EachLevelCoversAsMuchAsThePicture)

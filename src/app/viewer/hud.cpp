@@ -109,7 +109,7 @@ void drawLoading(const SharedProgress::State& state, float scale)
 std::string titleText(const HudState& state)
 {
     std::string title = fmt::format("Tarn - {}{} - {:.0f} fps, {:.1f} ms", state.scene,
-                                    state.building.empty() ? "" : " (draft)", state.rate.framesPerSecond(), state.rate.frameMilliseconds());
+                                    state.draft ? " (draft)" : "", state.rate.framesPerSecond(), state.rate.frameMilliseconds());
     const char* separator = " - ";
     for (const ShownTime& pass : state.rate.passes()) {
         title += fmt::format("{}{} {:.1f}", separator, pass.name, pass.milliseconds);

@@ -23,7 +23,8 @@ struct HudState {
     std::string stereo;      ///< how both eyes' pictures are shown, or ""
     std::string comparison;  ///< with a reference, or ""
     std::string governor{};  ///< what it chose and what that costs, or ""
-    std::string building{};  ///< what is shown meanwhile and what is being built, or ""
+    bool draft = false;      ///< what is shown stands in for the picture
+    std::string building{};  ///< what is being built meanwhile, or ""
     std::string message;     ///< for a few seconds, or ""
     std::string shaderError; ///< "file:line: message", or ""
 };

@@ -112,10 +112,10 @@ void Viewer::redraw(ivec2 size)
     window_.swap();
 }
 
-/// While what is shown is a draft.
 std::string Viewer::buildingNote() const
 {
-    return picture_.isFull() ? "" : fmt::format("draft picture   {}", picture_.progress().what);
+    if (picture_.isBuilt()) return "";
+    return (picture_.isFull() ? "" : "draft picture   ") + picture_.progress().what;
 }
 
 /// The time between the renderer's pictures, unless it rested between them; a draft's own time.

@@ -264,6 +264,7 @@ void Viewer::drawWidgets(const FrameStats& stats)
                        .stereo = stereoText(stage_.settings.options.stereo),
                        .comparison = compares() ? comparison_->note() : "",
                        .governor = picture_.isFull() ? governed_->text(rate_.framesPerSecond()) : "",
+                       .draft = !picture_.isFull(),
                        .building = buildingNote(),
                        .message = now < messageUntil_ ? message_ : "",
                        .shaderError = picture_.report().shaderError};
