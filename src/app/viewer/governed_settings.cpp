@@ -124,12 +124,15 @@ void GovernedSettings::noteBuilt(const Options& options)
 std::string GovernedSettings::changesText() const
 {
     const std::vector<FieldRow> own = rowsOf(own_.options), drawn = rowsOf(drawn_.options);
+    constexpr int mostNamed = 4; // a ladder's lowest rung may change a dozen
     std::string text;
+    int changes = 0;
     for (std::size_t i = 0; i < own.size(); ++i) {
-        if (own[i].value == drawn[i].value) continue;
+        if (own[i].value == drawn[i].value || ++changes > mostNamed) continue;
         const std::string& key = own[i].key;
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key.starts_with("frame.") ? key.substr(6) : key, drawn[i].value);
     }
+    if (changes > mostNamed) text += fmt::format(" and {} more", changes - mostNamed);
     return text.empty() ? "your settings" : text;
 }
 
