@@ -33,10 +33,11 @@ vec2 jitterOf(int sample)
 
 namespace {
 
-/// The most accurate rung down to `shown` whose frames are predicted to take no longer.
-std::size_t rungWithin(double milliseconds, std::size_t shown, const Governor& governor)
+/// The most accurate rung down to `shown` that is ready and whose frames are predicted to take no longer.
+std::size_t rungWithin(double milliseconds, std::size_t shown, const Governor& governor, const Governor::IsReady& isReady)
 {
     for (std::size_t i = 0; i < shown; ++i) {
+        if (isReady && !isReady(i)) continue;
         const auto predicted = governor.predicted(i);
         if (predicted && *predicted <= milliseconds) return i;
     }
@@ -58,8 +59,8 @@ Refinement::Step Refinement::next(const Input& input, const Governor& governor, 
         return {rung_, 0, false};
     }
     if (rung_ > 0) {
-        wanted_ = rungWithin(1e3 * rest, rung_, governor);
-        if (!isReady || isReady(wanted_)) rung_ = wanted_;
+        wanted_ = rungWithin(1e3 * rest, rung_, governor, {});
+        rung_ = rungWithin(1e3 * rest, rung_, governor, isReady);
         if (rung_ > 0) return {rung_, 0, false}; // where that was drawn already, it is there and costs nothing
     }
     wanted_ = 0;

@@ -97,10 +97,10 @@ void GovernedSettings::took(const Drawn& frame)
     const auto index = static_cast<std::size_t>(rung - rungs_.begin());
     if (!ready_[index]) noteBuilt(frame.options);
     if (!isOn() || suspended_) return;
-    constexpr int firstTimed = 3; // what the samples before it make for all is there
+    constexpr int timed = Refinement::samples / 2; // what the first ones make is there, and a card's times are theirs
     if (frame.sample == 0 && step_.sample == 0 && index == governor_.rung())
         governor_.drawn({frame.milliseconds, frame.now}, [this](std::size_t i) { return ready_[i]; });
-    else if (frame.sample == firstTimed) governor_.observed(index, frame.milliseconds);
+    else if (frame.sample == timed) governor_.observed(index, frame.milliseconds);
 }
 
 std::optional<Options> GovernedSettings::toBuild() const
@@ -124,12 +124,15 @@ void GovernedSettings::noteBuilt(const Options& options)
 std::string GovernedSettings::changesText() const
 {
     const std::vector<FieldRow> own = rowsOf(own_.options), drawn = rowsOf(drawn_.options);
+    constexpr int mostNamed = 4; // a ladder's lowest rung may change a dozen
     std::string text;
+    int changes = 0;
     for (std::size_t i = 0; i < own.size(); ++i) {
-        if (own[i].value == drawn[i].value) continue;
+        if (own[i].value == drawn[i].value || ++changes > mostNamed) continue;
         const std::string& key = own[i].key;
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key.starts_with("frame.") ? key.substr(6) : key, drawn[i].value);
     }
+    if (changes > mostNamed) text += fmt::format(" and {} more", changes - mostNamed);
     return text.empty() ? "your settings" : text;
 }
 

@@ -111,7 +111,7 @@ bool Viewer::load()
     beginToGovern();
     startSettings_ = stage_.settings;
     begin();
-    picture_.show(stage_.scene, governed_->drawn());
+    picture_.show(stage_.scene, compares() ? stage_.settings : governed_->drawn()); // a comparison is with the own settings
     return true;
 }
 
