@@ -2,6 +2,7 @@
 // is that of the first few waves. UNDERWATER: seen from below it mirrors the water itself, and shows the sky alone.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
+#include "shared/trigonometry.glsl"
 #include "shared/waves.glsl"
 
 in vec3 positionW;
