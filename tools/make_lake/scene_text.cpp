@@ -18,6 +18,7 @@ name = "The lake"
 
 [options]
 frame.exposure = 0.065
+frame.antialiasing = "fxaa"
 refraction.camera = "flat"
 refraction.steps = 4
 reflection.facets = "five"
