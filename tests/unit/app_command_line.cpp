@@ -195,6 +195,14 @@ TEST(CommandLine, BenchTables)
     EXPECT_NE(complaint({"render", "--table", "2", "--out", "a.png"}).find("--table"), std::string::npos);
 }
 
+TEST(CommandLine, BenchStartup)
+{
+    EXPECT_FALSE(parsed<BenchCommand>({"bench"}).startup);
+    EXPECT_TRUE(parsed<BenchCommand>({"bench", "--startup"}).startup);
+    for (const char* other : {"--flight", "--rules"})
+        EXPECT_NE(complaint({"bench", "--startup", other}).find("--startup measures one start"), std::string::npos) << other;
+}
+
 TEST(CommandLine, Compare)
 {
     const auto bare = parsed<CompareCommand>({"compare", "a.png", "b.png"});
