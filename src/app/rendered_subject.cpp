@@ -11,6 +11,11 @@ namespace {
 
 constexpr double secondsPerFrame = 1.0 / 30.0;
 
+int longestInterval(const Options& options)
+{
+    return std::max({options.refraction.interval, options.reflection.interval, options.caustics.interval});
+}
+
 } // namespace
 
 RenderedSubject::RenderedSubject(std::string name, Session& session, Settings settings,
@@ -24,7 +29,11 @@ RenderedSubject::RenderedSubject(std::string name, Session& session, Settings se
 
 void RenderedSubject::prepare(int index, bool followsItself)
 {
-    if (!followsItself) drawAt(index - 0.5); // the same moment would be kept
+    if (!followsItself) {
+        // Of so many frames only one draws all targets: each of them is measured as often as the others.
+        const int before = 1 + index % longestInterval(settings_.options);
+        for (int i = before; i > 0; --i) drawAt(index - 0.5 * i / before); // the same moment would be kept
+    }
     isMeasured_ = true;
 }
 

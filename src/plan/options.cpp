@@ -120,6 +120,10 @@ void visit(FieldVisitor& v, RefractionOptions& o)
              o.camera, refractionCameraNames);
     v.field({"target_size", "Edge of the square refraction target", "pixels", 16, 4096}, o.targetSize);
     v.choice({"depth", "Depth format of the refraction target"}, o.depth, depthFormatNames);
+    v.field({"interval", "Frames from one drawing of the refraction target to the next; those between look the last one up "
+                         "from where it was drawn. A jump of the camera draws it",
+             "frames", 1, 16},
+            o.interval);
     v.field({"clip_offset", "How far above the water the refraction target is still drawn", "m", 0.0, 10.0},
             o.clipOffset);
     v.field({"fov_extension_near", "Factor on the target's field of view (tangents) close to the water", "",
@@ -145,6 +149,8 @@ void visit(FieldVisitor& v, ReflectionOptions& o)
              0.0, 100.0},
             o.distance);
     v.field({"target_size", "Edge of the square reflection target", "pixels", 16, 4096}, o.targetSize);
+    v.field({"interval", "Frames from one drawing of the reflection target to the next, as refraction.interval", "frames", 1, 16},
+            o.interval);
     v.field({"clip_offset", "How far below the water the reflection target is still drawn", "m", 0.0, 10.0},
             o.clipOffset);
     v.field({"fov_extension_near", "Factor on the target's field of view (tangents) close to the water", "",
@@ -197,6 +203,9 @@ void visit(FieldVisitor& v, CausticsOptions& o)
              16},
             o.steps);
     v.field({"filter", "Radius of the binomial filter over the texture; 0 is off", "texels", 0, 2}, o.filter);
+    v.field({"interval", "Frames from one drawing of the caustics to the next; between, those of the last waves stay", "frames",
+             1, 16},
+            o.interval);
     v.field({"extent", "Edge of what the texture covers; 0 takes the whole water when it is small, else what is near "
                        "the eye",
              "m", 0.0, 10000.0},

@@ -73,6 +73,7 @@ struct RefractionOptions {
     float clipOffset = 0.1f;
     float fovExtensionNear = 1.5f;
     float fovExtensionFar = 1.2f;
+    int interval = 1; ///< frames
     bool operator==(const RefractionOptions&) const = default;
 };
 
@@ -88,6 +89,7 @@ struct ReflectionOptions {
     float clipOffset = 0.1f;
     float fovExtensionNear = 1.5f;
     float fovExtensionFar = 1.2f;
+    int interval = 1; ///< frames
     bool operator==(const ReflectionOptions&) const = default;
 };
 
@@ -122,6 +124,7 @@ struct CausticsOptions {
     int steps = 2;
     int filter = 2;
     float extent = 0.0f;
+    int interval = 1; ///< frames
     bool operator==(const CausticsOptions&) const = default;
 };
 struct UnderwaterOptions {

@@ -187,6 +187,7 @@ float largestSlope(const WaterBody& water, const Options& options, float footpri
 TargetBounds mirrorBounds(const WaterBody& water, const Camera& camera, const Options& options, ivec2 size)
 {
     if (water.normalMap.isSeen()) return {}; // whose slopes have no bound
+    if (options.reflection.interval > 1) return {}; // later frames look the target up from elsewhere
     // Nor have those between a triangle's corners where it is gone on with beside them.
     if (options.water.normals == WaterOptions::Normals::vertex && options.frame.samples() > 1) return {};
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);

@@ -31,7 +31,8 @@ float leastFootprint(const WaterBody& water, const Camera& camera, const std::ve
 float largestSlope(const WaterBody& water, const Options& options, float footprint);
 
 /// The texels of the reflection's target that an eye above the water can look up. All of them, where no bound is known:
-/// steep waves, a normal map, an eye near the surface, or one that may see a triangle edge-on with more than one sample of a pixel.
+/// steep waves, a normal map, a target for several frames (reflection.interval), an eye near the surface, or one that may
+/// see a triangle edge-on with more than one sample of a pixel.
 ///
 /// Let E' be the mirrored eye at the height -H, the water's level 0, and d the eye's ray to a pixel of the water. Every look
 /// lies at U + s r, s >= 0 (shaders/passes/mirrored.glsl), so that its direction from E' lies on the arc between those of

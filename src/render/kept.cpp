@@ -22,10 +22,47 @@ bool CausticsKey::operator==(const CausticsKey& other) const
 
 bool Kept::beginFrame(const Moment& moment, const PlanOptions& rules, bool mayKeepFrame)
 {
+    const bool isSequel = moment.options == moment_.options && moment.water == moment_.water && moment.size == moment_.size;
+    if (!isSequel) {
+        drawnFrames_ = 0;
+        for (UpdateInterval* interval : {&causticsInterval_, &refractionInterval_, &reflectionInterval_}) interval->forget();
+    }
     moment_ = moment;
     rules_ = rules;
     noted_.clear();
-    return mayKeepFrame && rules.allows(RuleId::keepFrame) && frame_.isFrom(moment);
+    isAnyStale_ = false;
+    if (mayKeepFrame && rules.allows(RuleId::keepFrame) && frame_.isFrom(moment)) return true;
+    ++drawnFrames_;
+    return false;
+}
+
+void Kept::endFrame()
+{
+    frame_.holds(moment_);
+    if (isAnyStale_) frame_.forget(); // a picture that comes to rest is drawn until all of it is of its moment
+}
+
+UpdateInterval& Kept::intervalOf(PassId pass)
+{
+    return pass == PassId::caustics ? causticsInterval_ : pass == PassId::refraction ? refractionInterval_ : reflectionInterval_;
+}
+
+UpdateState Kept::stateFor(const Camera& camera, WaterSide side) const
+{
+    return {moment_.options, moment_.water, camera, moment_.time, moment_.size, moment_.rebuilt, side, causticsDrawn_};
+}
+
+bool Kept::isUsedAgain(PassId pass, const Camera& camera, WaterSide side)
+{
+    const Options& options = moment_.options;
+    const int interval = pass == PassId::caustics     ? options.caustics.interval
+                         : pass == PassId::refraction ? options.refraction.interval
+                                                      : options.reflection.interval;
+    if (interval == 1 || !rules_.enabled || (pass != PassId::caustics && options.stereo.isOn())) return false;
+    const UpdateState now = stateFor(camera, side);
+    const bool isUsed = intervalOf(pass).serves(now, drawnFrames_, interval);
+    isAnyStale_ = isAnyStale_ || (isUsed && intervalOf(pass).isStale(now));
+    return isUsed;
 }
 
 bool Kept::keeps(RuleId rule, PassId pass, bool holds)
@@ -43,6 +80,12 @@ bool Kept::caustics(CausticsKey key)
                  caustics_.holds({key, moment_.options.caustics, moment_.options.sunlight, moment_.rebuilt}));
 }
 
+void Kept::causticsWereDrawn()
+{
+    ++causticsDrawn_;
+    causticsInterval_.wasDrawn(stateFor(moment_.camera, WaterSide::above), drawnFrames_);
+}
+
 bool Kept::target(PassId pass, const Camera& camera, WaterSide side, const TargetBounds& bounds, bool hasCaustics,
                   bool showsCaustics)
 {
@@ -52,6 +95,8 @@ bool Kept::target(PassId pass, const Camera& camera, WaterSide side, const Targe
     key.moment.sample = 0;
     key.moment.view = DebugView::final;
     LastDrawn<TargetKey>& last = pass == PassId::refraction ? refraction_ : reflection_;
+    // Kept or drawn: it is what this frame needs.
+    intervalOf(pass).wasDrawn(stateFor(camera, side), drawnFrames_);
     return keeps(RuleId::keepTargets, pass, last.holds(key));
 }
 
@@ -67,6 +112,8 @@ void Kept::forgetTargets()
 {
     refraction_.forget();
     reflection_.forget();
+    refractionInterval_.forget();
+    reflectionInterval_.forget();
 }
 
 void Kept::forget()
@@ -74,6 +121,7 @@ void Kept::forget()
     forgetTargets();
     frame_.forget();
     caustics_.forget();
+    causticsInterval_.forget();
 }
 
 } // namespace tarn

@@ -6,7 +6,9 @@
 #include "plan/frame_plan.h"
 #include "render/passes/sunlight.h"
 #include "render/renderer.h"
+#include "render/update_interval.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -59,12 +61,17 @@ class Kept {
 public:
     /// True when the picture of the last frame is this one's. Else it, and endFrame() after it, must be drawn.
     bool beginFrame(const Moment& moment, const PlanOptions& rules, bool mayKeepFrame);
-    void endFrame() { frame_.holds(moment_); }
+    void endFrame();
 
     /// Whether the pass's map may stay; it is noted. @param holds what this frame needs
     bool map(PassId pass, bool holds) { return keeps(RuleId::keepMaps, pass, holds); }
     bool caustics(CausticsKey key);
-    void causticsWereDrawn() { ++causticsDrawn_; }
+    void causticsWereDrawn();
+
+    /// Whether a pass that is drawn in every n-th frame only (update_interval.h) is not due, so that this frame looks up what
+    /// an earlier one drew, from where that was drawn. refraction, reflection: not for two eyes, whose targets are the other's
+    bool isUsedAgain(PassId pass, const Camera& camera, WaterSide side);
+    bool areCausticsUsedAgain() { return isUsedAgain(PassId::caustics, moment_.camera, WaterSide::above); }
 
     /// Whether the refraction or the reflection target may stay; it is noted. Waves move neither.
     /// @param camera of the eye that is drawn   @param bounds of what is drawn
@@ -97,6 +104,8 @@ private:
     };
 
     bool keeps(RuleId rule, PassId pass, bool holds);
+    UpdateInterval& intervalOf(PassId pass);
+    UpdateState stateFor(const Camera& camera, WaterSide side) const;
 
     Moment moment_; ///< of this frame
     PlanOptions rules_;
@@ -105,6 +114,10 @@ private:
     LastDrawn<TargetKey> refraction_, reflection_;
     std::size_t causticsDrawn_ = 0; ///< so far
     std::string noted_;
+    // By how many frames each is drawn before the next, so that they take turns.
+    UpdateInterval causticsInterval_{2}, refractionInterval_{1}, reflectionInterval_{0};
+    std::uint64_t drawnFrames_ = 0; ///< of these options
+    bool isAnyStale_ = false; ///< of what this frame looks up
 };
 
 } // namespace tarn

@@ -373,7 +373,7 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     waves = tarn::wavesBlock(water, input.time);
     wavesBlock.update(waves);
     painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
-    sun.begin(sunInputs(head));
+    sun.begin(sunInputs(head), drawing.kept, looksUpAnew);
 }
 
 SunStage::Inputs Renderer::State::sunInputs(const Camera& head) const

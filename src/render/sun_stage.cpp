@@ -24,11 +24,14 @@ SunStage::SunStage(gl::ShaderLibrary& shaders)
 {
 }
 
-void SunStage::begin(const Inputs& inputs)
+void SunStage::begin(const Inputs& inputs, Kept& kept, bool draws)
 {
     const Options& options = inputs.options;
     volume_ = sunVolume(inputs.water, inputs.bounds, inputs.light.sunDirection, options.sunlight);
-    region_ = causticsRegion(inputs.water, inputs.head, options.caustics);
+    if (draws && !std::exchange(isPlaced_, true)) {
+        usesCausticsAgain_ = inputs.plan[PassId::caustics].wanted && kept.areCausticsUsedAgain();
+        if (!usesCausticsAgain_) region_ = causticsRegion(inputs.water, inputs.head, options.caustics);
+    }
     block_.update(sunBlock(volume_, region_, options));
     lit_ = PaintStyle{};
     lit_.dithersCutOuts = dithersCutOuts(options.frame);
@@ -43,7 +46,9 @@ void SunStage::draw(const Inputs& inputs, Drawing& drawing)
     if (inputs.plan[PassId::sunlight].wanted) drawSunlight(inputs, drawing);
     if (!inputs.plan[PassId::caustics].wanted) return;
     const bool isThere = std::exchange(hasCaustics_, true);
-    if (!isThere && !drawing.kept.caustics({sunlightInputs(inputs), region_, inputs.light, inputs.waves}))
+    if (!isThere && usesCausticsAgain_)
+        drawing.stats.plan[PassId::caustics].reason += " (caustics.interval: an earlier frame's)";
+    else if (!isThere && !drawing.kept.caustics({sunlightInputs(inputs), region_, inputs.light, inputs.waves}))
         drawCaustics(inputs, drawing);
     drawing.painter.setSunMaps(maps(&caustics_.target().colour(), inputs));
 }

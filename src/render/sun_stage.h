@@ -16,7 +16,7 @@ public:
     explicit SunStage(gl::ShaderLibrary& shaders);
 
     /// Before the first eye of a frame.
-    void beginFrame() { hasSunlight_ = hasCaustics_ = false; }
+    void beginFrame() { hasSunlight_ = hasCaustics_ = isPlaced_ = false; }
 
     /// What an eye's frame looks up of the sun.
     struct Inputs {
@@ -29,7 +29,8 @@ public:
         const blocks::WavesBlock& waves;
     };
     /// Finds what the maps cover and uploads it.
-    void begin(const Inputs& inputs);
+    /// @param draws whether draw() will follow; else all stays as it is
+    void begin(const Inputs& inputs, Kept& kept, bool draws);
     /// Draws the maps that begin() found wanting, and gives them to the painter.
     void draw(const Inputs& inputs, Drawing& drawing);
 
@@ -54,6 +55,8 @@ private:
     CausticsRegion region_;
     PaintStyle lit_;
     bool hasSunlight_ = false; ///< this frame's maps of the sun are drawn, or kept
+    bool isPlaced_ = false;    ///< this frame's region_ is known
+    bool usesCausticsAgain_ = false; ///< this frame looks up those of an earlier one
     bool hasCaustics_ = false; ///< this frame's caustics are drawn; they are the same for both eyes
 };
 

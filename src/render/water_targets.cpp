@@ -1,26 +1,27 @@
 #include "render/water_targets.h"
 
+#include <fmt/format.h>
+
 namespace tarn {
 
 void WaterTargets::begin(const Inputs& inputs, const FramePlan& plan)
 {
-    place(first_, inputs, plan.side == WaterSide::below);
-    first_.reflectionView.lookedUp = plan.mirrorBounds;
-    if (plan.side == WaterSide::crossing) place(below_, inputs, true);
+    firstViews_ = viewsFor(inputs, plan.side == WaterSide::below);
+    firstViews_.reflection.lookedUp = plan.mirrorBounds;
+    if (plan.side == WaterSide::crossing) belowViews_ = viewsFor(inputs, true);
 }
 
-void WaterTargets::place(Side& side, const Inputs& inputs, bool underwater) const
+WaterTargets::Views WaterTargets::viewsFor(const Inputs& inputs, bool underwater) const
 {
     const Options& options = inputs.options;
     const auto placed = [&](View view, int targetSize) {
         view.geometryError = geometryErrorOf(view, ivec2(targetSize), options.detail.pixels);
         return view;
     };
-    side.refractionView = placed(refractionView(inputs.camera, inputs.aspect, inputs.water, options, underwater),
-                                 options.refraction.targetSize);
-    side.reflectionView =
-        placed(reflectionView(inputs.camera, inputs.aspect, inputs.water, options.reflection, underwater),
-               options.reflection.targetSize);
+    return {placed(refractionView(inputs.camera, inputs.aspect, inputs.water, options, underwater),
+                   options.refraction.targetSize),
+            placed(reflectionView(inputs.camera, inputs.aspect, inputs.water, options.reflection, underwater),
+                   options.reflection.targetSize)};
 }
 
 void WaterTargets::draw(const Inputs& inputs, const Sight& sight, Drawing& drawing)
@@ -30,10 +31,23 @@ void WaterTargets::draw(const Inputs& inputs, const Sight& sight, Drawing& drawi
         const bool showsCaustics = plan.side != WaterSide::above || receives;
         return drawing.kept.target(pass, inputs.camera, plan.side, view.lookedUp, inputs.lit.caustics, showsCaustics);
     };
-    if (plan[PassId::refraction].wanted && !keeps(PassId::refraction, first_.refractionView, sight.refractionReceives))
-        drawRefraction(inputs, drawing);
-    if (plan[PassId::reflection].wanted && !keeps(PassId::reflection, first_.reflectionView, sight.reflectionReceives))
-        drawReflection(inputs, drawing);
+    const auto isUsedAgain = [&](PassId pass) {
+        if (!plan[pass].wanted || !drawing.kept.isUsedAgain(pass, inputs.camera, plan.side)) return false;
+        drawing.stats.plan[pass].reason += fmt::format(" ({}.interval: an earlier frame's)", passName(pass));
+        return true;
+    };
+    if (!isUsedAgain(PassId::refraction)) {
+        first_.refractionView = firstViews_.refraction;
+        below_.refractionView = belowViews_.refraction;
+        if (plan[PassId::refraction].wanted && !keeps(PassId::refraction, first_.refractionView, sight.refractionReceives))
+            drawRefraction(inputs, drawing);
+    }
+    if (!isUsedAgain(PassId::reflection)) {
+        first_.reflectionView = firstViews_.reflection;
+        below_.reflectionView = belowViews_.reflection;
+        if (plan[PassId::reflection].wanted && !keeps(PassId::reflection, first_.reflectionView, sight.reflectionReceives))
+            drawReflection(inputs, drawing);
+    }
     drawing.kept.tell(drawing.stats.plan, RuleId::keepTargets);
 }
 

@@ -19,7 +19,7 @@ public:
         vec3 deepRadiance{0.0f};
     };
 
-    /// One side's targets, and the cameras that they are drawn from.
+    /// One side's targets, and the cameras that they were drawn from, in this frame or an earlier one.
     struct Side {
         View refractionView, reflectionView;
         RefractionPass refraction;
@@ -38,11 +38,16 @@ public:
     const Side& below() const { return below_; }
 
 private:
-    void place(Side& side, const Inputs& inputs, bool underwater) const;
+    /// The cameras that a side's targets are drawn from when this frame draws them.
+    struct Views {
+        View refraction, reflection;
+    };
+    Views viewsFor(const Inputs& inputs, bool underwater) const;
     void drawRefraction(const Inputs& inputs, Drawing& drawing);
     void drawReflection(const Inputs& inputs, Drawing& drawing);
 
     Side first_, below_;
+    Views firstViews_, belowViews_;
 };
 
 } // namespace tarn

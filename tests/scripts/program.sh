@@ -175,6 +175,32 @@ test_unwritable_output() {
     [[ $(id -u) -eq 0 || -z $(ls -A "$folder") ]] || fail "something was left in $folder"
 }
 
+# A frame that is drawn smaller or larger gives a picture of its size, and the old name of the option still works.
+test_scale() {
+    for scale in 0.5 0.67 1.5; do
+        call 0 render "$pool" --camera above --size 41x31 --set frame.scale=$scale --check --out a.png
+        [[ ! -s $work/stderr ]] || fail "scale $scale says something on standard error"
+        [[ $(od -An -tu1 -j16 -N8 a.png | tr -s ' ') == " 0 0 0 41 0 0 0 31" ]] || fail "scale $scale gives another size"
+        call 0 render "$pool" --camera above --size 41x31 --set frame.scale=$scale --out a.exr
+    done
+    call 0 render "$pool" --camera above --size 41x31 --set frame.supersampling=2 --out old.png
+    grep -q 'frame.supersampling is now called frame.scale' "$work/stderr" || fail "nothing is said of the old name"
+    call 0 render "$pool" --camera above --size 41x31 --set frame.scale=2 --out new.png
+    call 0 compare old.png new.png --max-flip 0
+    refuse 2 'frame.scale must be 0.25 to 8' render "$pool" --set frame.scale=0.2 --out b.png
+    only_in_out a.png a.exr old.png new.png
+}
+
+# The error in time of targets that are not drawn in every frame, by tools/intervals.
+test_intervals() {
+    FRAMES=3 PROGRAM=$tarn "$project/tools/intervals" 2 "$project/tests/image/scenes/waves.toml" --size 40x30 \
+        >"$work/stdout" 2>"$work/stderr" || fail "tools/intervals ended with $?"
+    for row in refraction reflection caustics all; do
+        grep -Eq "^$row +[0-9]\.[0-9]{5} +[0-9]\.[0-9]{5}$" "$work/stdout" || fail "there is no row '$row'"
+    done
+    only_in_out
+}
+
 # A picture that does not fit on the disk is not there at all, and the one it would replace is still whole.
 test_full_disk() {
     call 0 render "$pool" --size 16x16 --out a.png

@@ -90,4 +90,11 @@ test_golden_usage() {
     refuse 2 'review|bless' burn
 }
 
+test_intervals_usage() {
+    tarn=$project/tools/intervals
+    refuse 2 'intervals N'
+    refuse 2 '2 to 16 frames' 1
+    refuse 2 '2 to 16 frames' pool.toml
+}
+
 run_test "$3"

@@ -109,9 +109,8 @@ std::vector<std::string> defaultSweeps()
             "sunlight.taps=1,2",
             "sunlight.cascades=1,3",
             "frame.antialiasing=none,fxaa,msaa",
-            "frame.msaa=2,4",
             "frame.scale=0.5,0.67,1,2",
-            "frame.upscaler=bilinear,edge@frame.scale=0.5"};
+            "frame.upscaler=bilinear,edge@frame.scale=0.67"};
 }
 
 TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe)
