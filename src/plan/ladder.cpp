@@ -14,8 +14,9 @@ namespace tarn {
 namespace {
 
 /// Whole numbers that no program is made for; numbers with fractions never are.
-constexpr std::array sizes{"caustics.photons",       "caustics.texture_size",  "glow.divisor",       "heights.map_size",
-                           "reflection.target_size", "refraction.target_size", "sunlight.map_size", "water.grid_size"};
+constexpr std::array sizes{"caustics.interval",      "caustics.photons",     "caustics.texture_size", "glow.divisor",
+                           "heights.map_size",       "reflection.interval",  "reflection.target_size", "refraction.interval",
+                           "refraction.target_size", "sunlight.map_size",    "water.grid_size"};
 
 /// Every option as a number: names of a choice count from 0 in their order. Vectors have none.
 class Ranks : public FieldVisitor {

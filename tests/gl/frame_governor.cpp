@@ -1,8 +1,6 @@
 // What the viewer's governor relies on: sizes need no programs of their own, and averaged samples are the supersampled picture.
-#include "base/files.h"
 #include "gl/shader_library.h"
 #include "gl_test.h"
-#include "measure/statistics.h"
 #include "plan/ladder.h"
 #include "plan/refinement.h"
 #include "render/warm_up.h"
@@ -12,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace tarn::test {
 namespace {

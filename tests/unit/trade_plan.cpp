@@ -131,7 +131,7 @@ TEST(TradePlan, TheDefaultIsLargeEnoughAndNotTooLarge)
 {
     const TradePlan plan = planTrade({{}, false, loadPresets()}, describerOf(Settings{}));
     EXPECT_GE(plan.points.size(), 40u);
-    EXPECT_LE(plan.points.size(), 54u) << "with seven steps of the walk at most 61, which is half an hour";
+    EXPECT_LE(plan.points.size(), 55u) << "with seven steps of the walk at most 62, which is half an hour";
     EXPECT_EQ(plan.presets.size(), loadPresets().size());
     EXPECT_TRUE(plan.walk);
     for (std::size_t i = 0; i < plan.points.size(); ++i)
