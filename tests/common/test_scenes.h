@@ -28,6 +28,10 @@ void addModel(Scene& scene, Mesh mesh);
 /// bedEdge: of the bed; 0 for the lake's own.
 Scene flatLake(float depth, float edge = 400.0f, float bedEdge = 0.0f);
 
+/// That lake, lit by a sun; its waves put detail of less than a pixel into a small picture of lookAcross().
+Scene rippledLake();
+Camera lookAcross();
+
 /// Gives the water a normal map of edge x edge texels in floating point.
 /// slope: dy/dx and dy/dz at (u, v) of the picture, v upward
 void addNormalMap(Scene& scene, int edge, const std::function<vec2(const vec2& uv)>& slope);

@@ -16,26 +16,6 @@
 namespace tarn::test {
 namespace {
 
-Camera lookAcross()
-{
-    Camera camera;
-    camera.eye = vec3(0.0f, 1.5f, 4.0f);
-    camera.target = vec3(0.3f, -0.5f, -1.0f);
-    return camera;
-}
-
-Scene rippledLake()
-{
-    Scene scene = flatLake(1.5f);
-    Wave wave;
-    wave.amplitude = 0.03f;
-    wave.wavelength = 0.4f;
-    wave.direction = 20.0f;
-    scene.water.waves = {wave};
-    scene.sun = Sun{normalize(vec3(1.0f, 1.0f, 0.5f)), vec3(8.0f), false};
-    return scene;
-}
-
 Options small()
 {
     Options options;

@@ -14,27 +14,6 @@
 namespace tarn::test {
 namespace {
 
-Camera lookAcross()
-{
-    Camera camera;
-    camera.eye = vec3(0.0f, 1.5f, 4.0f);
-    camera.target = vec3(0.3f, -0.5f, -1.0f);
-    return camera;
-}
-
-/// A flat lake that reflects, refracts and is lit; waves put detail of less than a pixel into it.
-Scene rippledLake()
-{
-    Scene scene = flatLake(1.5f);
-    Wave wave;
-    wave.amplitude = 0.03f;
-    wave.wavelength = 0.4f;
-    wave.direction = 20.0f;
-    scene.water.waves = {wave};
-    scene.sun = Sun{normalize(vec3(1.0f, 1.0f, 0.5f)), vec3(8.0f), false};
-    return scene;
-}
-
 using Colour = std::function<vec4(int x, int y)>;
 
 /// A texture of a known colour in each texel, y upward.
