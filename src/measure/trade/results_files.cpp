@@ -39,8 +39,8 @@ std::string csvRow(const TradePoint& point, const std::string& view, const Measu
                                   csvText(view), csvNumber(measured.price.median),
                                   csvNumber(measured.price.p95), csvNumber(measured.price.cpu));
     for (const FigureField& field : errorFigureFields())
-        row += "," + csvNumber(measured.errors.*field.member);
-    return row + "," + csvText(changesText(point.changes)) + "\n";
+        row += fmt::format(",{}", csvNumber(measured.errors.*field.member));
+    return fmt::format("{},{}\n", row, csvText(changesText(point.changes)));
 }
 
 json measuredJson(const Measured& measured)
