@@ -43,7 +43,7 @@ SurfacePoint surfaceAt(vec2 x)
 vec3 seenBySun(vec3 W, vec2 slant)
 {
     vec2 plane = sunPlane(W.xzy, waterLevel, slant);
-    float height = heightFromDepth(textureLod(submergedDepth, sunMapUv(sunRect, plane), 0.0).r);
+    float height = heightFromDepth(textureLod(sunDepth, vec3(sunMapUv(sunRect, plane), submergedLayer), 0.0).r);
     return vec3(W.xy + slant * (height - W.z), height);
 }
 
@@ -88,7 +88,7 @@ void main()
     float light = (1.0 - fresnelExact(cosine, 1.0 / ior)) * photonShare(causticsBorder.z, causticsBorder.y);
     // A beach a hand above the level is not in the way of what enters beside it.
 #ifdef SHADOWS
-    light *= sunVisibility(afloatDepth, sunRect, plane, U.z, vec2(0.0), 0.1);
+    light *= sunVisibility(firstCascadeLayer, sunRect, plane, U.z, vec2(0.0), 0.1);
 #endif
     vec2 where = sunPlane(hit.xzy, waterLevel, slant);
     fragment = vec4((where - causticsRect.xy) / causticsRect.zw * 0.5 + 0.5, light, path);

@@ -2,8 +2,8 @@
 //
 // Above the water: sun and sky directly. Below it: the sun refracted by the flat surface and the sky through it, both
 // absorbed on their way down. UNDERWATER: the eye is in the water too, so what lies between is water (eq. 10).
+// Where the surface cuts the near plane, that holds for the pixels under it.
 // IN_AIR, IN_WATER: all of what is drawn is on that side of the level, and pays for that side's light alone.
-// WATERLINE: the surface cuts the near plane, and that holds for the pixels under it.
 // FOR_MAP: what a map of the scene from above keeps: all but the sun's light under water, which is looked up later.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
@@ -45,7 +45,6 @@ uniform vec3 transmission; // of a thin leaf, as a share of its reflectance
 #endif
 #ifdef SHADOWS
 uniform float geometryError; // m by which what is drawn may be off, where the shadow maps are not
-uniform vec4 chunkOnSunPlane; // what of the sun's plane holds all of the chunk in the air: lower x and z, upper x and z
 #else
 const float geometryError = 0.0;
 #endif
@@ -55,8 +54,8 @@ uniform float alphaCutoff;
 #include "passes/cut_out.glsl"
 #endif
 
-#ifdef WATERLINE
-uniform sampler2D waterline; // 1 where a pixel is under water, waterline.frag
+#ifdef UNDERWATER
+uniform sampler2D waterline; // 1 where a pixel is under water, waterline.frag; a single texel: all of them are
 #endif
 
 layout(location = 0) out vec4 fragment;
@@ -122,9 +121,7 @@ vec3 sunAbove()
     vec2 slant = sunSlant(sunDirection);
     vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), slant);
     float height = positionW.y + geometryError * (1.0 + length(gradient));
-    // Samples at the edge of a triangle extrapolate its corners, into maps that the chunk is not in.
-    vec2 plane = clamp(sunPlane(positionW, waterLevel, slant), chunkOnSunPlane.xy, chunkOnSunPlane.zw);
-    return sunIrradiance * sunVisibilityInAir(plane, height, gradient);
+    return sunIrradiance * sunVisibilityInAir(sunPlane(positionW, waterLevel, slant), height, gradient);
 #else
     return sunIrradiance;
 #endif
@@ -199,14 +196,13 @@ void main()
     EACH_LIGHT
 #undef LIGHT
 
-#if defined(UNDERWATER) || defined(WATERLINE)
+#ifdef UNDERWATER
     // What stands over the level is seen through water as far as the level (a shore behind the foot of a wave).
     // The reflection's mirrored eye stands over the level itself; all it sees is seen through water.
     float share = depth > 0.0 ? 1.0 : min(abs(waterLevel - eye.y) / max(abs(positionW.y - eye.y), 1.0e-6), 1.0);
     vec3 a = beerLambert(absorption, share * distance(positionW, eye));
-#ifdef WATERLINE
-    a = mix(vec3(1.0), a, texelFetch(waterline, ivec2(gl_FragCoord.xy), 0).r);
-#endif
+    ivec2 pixel = min(ivec2(gl_FragCoord.xy), textureSize(waterline, 0) - 1);
+    a = mix(vec3(1.0), a, texelFetch(waterline, pixel, 0).r);
     radiance = radianceThroughWater(radiance, deepRadiance, a);
 #endif
     fragment = vec4(radiance, coverage);

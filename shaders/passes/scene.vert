@@ -39,7 +39,5 @@ void main()
 #else
     gl_Position = clipFromWorld * position;
 #endif
-#ifdef CLIP
-    gl_ClipDistance[0] = dot(clipPlane, position);
-#endif
+    gl_ClipDistance[0] = dot(clipPlane, position); // of use where the view clips
 }

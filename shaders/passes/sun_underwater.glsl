@@ -24,8 +24,8 @@ vec3 sunUnderwater(vec3 point, vec3 across, vec3 along, float offBy)
 #ifdef SHADOWS
     vec2 gradient = sunPlaneGradient(cross(across, along), slant);
     float height = point.y + offBy * (1.0 + length(gradient));
-    float visible = sunVisibility(submergedDepth, sunRect, plane, height, gradient, sunBiases.x);
-    if (gathered < 1.0) sun *= sunVisibility(afloatDepth, sunRect, plane, height, gradient, sunBiases.x);
+    float visible = sunVisibility(submergedLayer, sunRect, plane, height, gradient, sunBiases.x);
+    if (gathered < 1.0) sun *= sunVisibility(firstCascadeLayer, sunRect, plane, height, gradient, sunBiases.x);
 #endif
 #ifdef CAUSTICS
     // The texture holds light through a level area relative to the same above the water.

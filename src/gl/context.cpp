@@ -95,6 +95,7 @@ Capabilities askCapabilities()
     }
     answer.maxSamples = integer(GL_MAX_SAMPLES);
     answer.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
+    answer.maxArrayLayers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
     answer.llvmpipe = string(GL_RENDERER).find("llvmpipe") != std::string::npos;
     return answer;
 }

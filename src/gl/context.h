@@ -63,6 +63,7 @@ struct Capabilities {
     float maxAnisotropy = 1.0f; ///< 1 where EXT_texture_filter_anisotropic is missing
     int maxSamples = 1;
     int maxTextureSize = 1024;
+    int maxArrayLayers = 256;
     bool llvmpipe = false;      ///< Mesa's software rasteriser: see gl/workarounds.h
 };
 const Capabilities& capabilities();

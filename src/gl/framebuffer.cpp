@@ -59,6 +59,10 @@ void attach(const Attachment& a, GLenum point)
         return;
     }
     GLenum target = GL_TEXTURE_2D;
+    if (a.texture->desc().kind == TextureKind::array) {
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, point, a.texture->name(), a.level, a.face);
+        return;
+    }
     if (a.samples() > 1)
         target = GL_TEXTURE_2D_MULTISAMPLE;
     else if (a.texture->desc().kind == TextureKind::cube) {

@@ -37,8 +37,9 @@ private:
 
 /// One image of a framebuffer; converts from a texture or a renderbuffer. Its format says colour or depth.
 struct Attachment {
-    Attachment(const Texture& t, int mipLevel = 0, int cubeFace = 0)
-        : texture(&t), level(mipLevel), face(cubeFace)
+    /// @param imageFace of a cube, or the layer of an array
+    Attachment(const Texture& t, int mipLevel = 0, int imageFace = 0)
+        : texture(&t), level(mipLevel), face(imageFace)
     {
     }
     Attachment(const Renderbuffer& r) : renderbuffer(&r) {}

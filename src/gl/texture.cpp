@@ -23,6 +23,7 @@ constexpr int editUnit = 16;
 GLenum bindTarget(const TextureDesc& desc)
 {
     if (desc.samples > 1) return GL_TEXTURE_2D_MULTISAMPLE;
+    if (desc.kind == TextureKind::array) return GL_TEXTURE_2D_ARRAY;
     return desc.kind == TextureKind::cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
 }
 
@@ -52,7 +53,11 @@ void check(const TextureDesc& d, const std::string& label)
     if (d.samples < 1 || d.samples > capabilities().maxSamples) {
         fail(fmt::format("{} samples, but this driver takes 1 to {}", d.samples, capabilities().maxSamples));
     }
-    if (d.samples > 1 && d.kind == TextureKind::cube) fail("a cube cannot be multisampled");
+    if (d.samples > 1 && d.kind != TextureKind::flat) fail("neither a cube nor an array can be multisampled");
+    if (d.kind == TextureKind::array ? d.layers < 1 : d.layers != 1)
+        fail(fmt::format("{} layers: an array has at least one, anything else is one", d.layers));
+    if (d.layers > capabilities().maxArrayLayers)
+        fail(fmt::format("{} layers, but this driver takes at most {}", d.layers, capabilities().maxArrayLayers));
     if (d.samples > 1 && d.mipmaps) fail("a multisampled texture has no mipmaps");
     if (d.compare && !isDepth(d.format)) fail("only depth can be compared");
 }
@@ -77,10 +82,14 @@ void Texture::allocate()
                                 desc_.size.x, desc_.size.y, GL_TRUE);
         return;
     }
-    const int faces = desc_.kind == TextureKind::cube ? 6 : 1;
     for (int level = 0; level < levels(); ++level) {
         const ivec2 size = levelSize(level);
-        for (int face = 0; face < faces; ++face) {
+        if (desc_.kind == TextureKind::array) {
+            glTexImage3D(GL_TEXTURE_2D_ARRAY, level, internal, size.x, size.y, desc_.layers, 0,
+                         pixelFormat(desc_.format, 4), GL_FLOAT, nullptr);
+            continue;
+        }
+        for (int face = 0; face < faces(); ++face) {
             glTexImage2D(imageTarget(desc_, face), level, internal, size.x, size.y, 0,
                          pixelFormat(desc_.format, 4), GL_FLOAT, nullptr);
         }
@@ -130,8 +139,7 @@ void Texture::uploadLevel(const void* values, std::size_t count, unsigned type, 
                           int level)
 {
     if (channels == 0) channels = channelCount(desc_.format);
-    const int faces = desc_.kind == TextureKind::cube ? 6 : 1;
-    if (desc_.samples > 1 || face < 0 || face >= faces || level < 0 || level >= levels() || channels < 1 ||
+    if (desc_.samples > 1 || face < 0 || face >= faces() || level < 0 || level >= levels() || channels < 1 ||
         channels > 4) {
         throw Error("texture \"{}\": nothing can be uploaded to face {}, level {} with {} channels", label(),
                     face, level, channels);
@@ -145,8 +153,11 @@ void Texture::uploadLevel(const void* values, std::size_t count, unsigned type, 
     }
     bind(editUnit);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(imageTarget(desc_, face), level, 0, 0, size.x, size.y,
-                    pixelFormat(desc_.format, channels), type, values);
+    const GLenum format = pixelFormat(desc_.format, channels);
+    if (desc_.kind == TextureKind::array)
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, face, size.x, size.y, 1, format, type, values);
+    else
+        glTexSubImage2D(imageTarget(desc_, face), level, 0, 0, size.x, size.y, format, type, values);
 }
 
 void Texture::generateMipmaps()
@@ -159,16 +170,20 @@ void Texture::generateMipmaps()
 std::vector<float> Texture::readBack(int face, int level) const
 {
     if (desc_.samples > 1) throw Error("texture \"{}\" is multisampled and cannot be read back", label());
+    if (face < 0 || face >= faces() || level < 0 || level >= levels())
+        throw Error("texture \"{}\" has no face {} of level {} to be read back", label(), face, level);
     const ivec2 size = levelSize(level);
     const int channels = channelCount(desc_.format);
-    std::vector<float> values(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                              static_cast<std::size_t>(channels));
+    const auto perFace = static_cast<std::ptrdiff_t>(size.x) * size.y * channels;
+    const bool isArray = desc_.kind == TextureKind::array; // OpenGL 3.3 gives all of its layers or none
+    std::vector<float> values(static_cast<std::size_t>(isArray ? desc_.layers * perFace : perFace));
     bind(editUnit);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     gl::count(Call::readBack);
-    glGetTexImage(imageTarget(desc_, face), level, pixelFormat(desc_.format, channels), GL_FLOAT,
-                  values.data());
-    return values;
+    glGetTexImage(isArray ? GL_TEXTURE_2D_ARRAY : imageTarget(desc_, face), level, pixelFormat(desc_.format, channels),
+                  GL_FLOAT, values.data());
+    if (!isArray) return values;
+    return {values.begin() + face * perFace, values.begin() + (face + 1) * perFace};
 }
 
 void Texture::bind(int unit) const
@@ -181,6 +196,11 @@ void Texture::bind(int unit) const
 ivec2 Texture::levelSize(int level) const
 {
     return glm::max(ivec2(desc_.size.x >> level, desc_.size.y >> level), 1);
+}
+
+int Texture::faces() const
+{
+    return desc_.kind == TextureKind::cube ? 6 : desc_.layers;
 }
 
 int Texture::levels() const

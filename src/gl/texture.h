@@ -13,7 +13,7 @@
 namespace tarn::gl
 {
 
-enum class TextureKind { flat, cube };
+enum class TextureKind { flat, cube, array };
 enum class Filter { nearest, linear };
 enum class Wrap { clamp, repeat, mirror, border };
 
@@ -21,6 +21,7 @@ struct TextureDesc {
     TextureKind kind = TextureKind::flat;
     Format format = Format::rgba8;
     ivec2 size{1, 1};
+    int layers = 1;       ///< of an array; each is drawn into, uploaded and read back as a face
     int samples = 1;      ///< over 1: a sampler2DMS that is drawn into, without filter or mipmaps
     bool mipmaps = false; ///< call generateMipmaps() when the top level is there
     Filter filter = Filter::linear;
@@ -38,8 +39,8 @@ public:
     /// Throws Error with the label when the size or the combination is impossible.
     Texture(const TextureDesc& desc, std::string label);
 
-    /// Fills a level from 8-bit values, `channels` per texel (0: as many as the format has; missing ones read
-    /// as 0, alpha as 1). Throws Error when the count does not fit the size.
+    /// Fills a level of a face of a cube, or of a layer of an array, from 8-bit values, `channels` per texel (0: as many as the
+    /// format has; missing ones read as 0, alpha as 1). Throws Error when the count does not fit the size.
     void upload(std::span<const std::uint8_t> values, int channels = 0, int face = 0, int level = 0);
     /// The same from floats.
     void upload(std::span<const float> values, int channels = 0, int face = 0, int level = 0);
@@ -57,6 +58,8 @@ public:
     ivec2 size() const { return desc_.size; }
     ivec2 levelSize(int level) const;
     int levels() const;
+    /// Pictures of a level: 6 of a cube, the layers of an array, else 1.
+    int faces() const;
     Format format() const { return desc_.format; }
     const std::string& label() const { return object_.label(); }
     Name name() const { return object_.name(); }

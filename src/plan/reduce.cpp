@@ -72,7 +72,6 @@ public:
         decide(RuleId::nothingForCaustics, whyReceives(), "no camera sees anything under water");
         if (applies(RuleId::nothingForCaustics)) dropCaustics("nothing that is seen lies under water");
         decideGlow();
-        decide(RuleId::fewestCascades, whyNoShadows(), "each chunk's shader knows the maps of the sun that it lies in");
         decide(RuleId::cullHidden, "there is no earlier frame to tell what is hidden", ""); // until the renderer knows better
         decideBounds();
         for (const RuleId id : {RuleId::keepMaps, RuleId::keepTargets, RuleId::keepFrame})
@@ -113,12 +112,6 @@ private:
     }
 
     bool isFromAbove() const { return plan_.side == WaterSide::above; }
-
-    std::string whyNoShadows() const
-    {
-        if (!plan_[PassId::sunlight].wanted) return "there are no maps of the sun";
-        return options_.sunlight.shadows ? "" : "sunlight.shadows is off";
-    }
 
     std::string whyWaterInView() const
     {

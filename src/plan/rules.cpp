@@ -18,7 +18,6 @@ constexpr std::array<Rule, ruleCount> table{{
      nullptr, 1},
     {"cull_hidden", "Leave out blocks of the water that the scene hides: those hidden in the last frame are asked for in the depth of this one",
      nullptr, 1},
-    {"fewest_cascades", "Look the sun's shadows up only in those of its maps that a chunk lies in", nullptr, 1},
     {"water_out_of_view", "No targets, surface or glow while the water is outside the view's frustum", nullptr, 1},
     {"water_hidden", "No targets, surface or highlight while the scene hides the water: asked in the depth of the same frame", nullptr,
      1},

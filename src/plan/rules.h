@@ -11,7 +11,6 @@ namespace tarn {
 enum class RuleId {
     cullChunks,
     cullHidden,
-    fewestCascades,
     waterOutOfView,
     waterHidden,
     onlySkyMirrored,
@@ -24,7 +23,7 @@ enum class RuleId {
     keepTargets,
     keepFrame,
 };
-inline constexpr std::size_t ruleCount = 14;
+inline constexpr std::size_t ruleCount = 13;
 
 struct Rule {
     const char* name;      ///< the option plan.NAME that allows it

@@ -220,21 +220,14 @@ Renderer::Renderer(std::shared_ptr<GpuScene> uploaded, const Options& options, g
     lit.shadows = sunlit && options.sunlight.shadows;
     SunMaps maps;
     maps.taps = options.sunlight.taps;
-    if (lit.shadows) {
-        maps.volume = sunVolume(scene.water, state_->bounds, scene.sun->direction, options.sunlight);
-        maps.toSun = scene.sun->direction;
-        maps.level = scene.water.level;
-        lit.distantShadows = maps.volume.cascades.size() > 1;
-        lit.fewestCascades = options.plan.allows(RuleId::fewestCascades);
-    }
     state_->painter.setSunMaps(maps);
     lit.caustics = sunlit && watery && options.caustics.enabled;
     lit.dithersCutOuts = dithersCutOuts(options.frame);
     PaintStyle main = lit;
     main.sunDisc = true;
     main.alphaToCoverage = options.frame.samples() > 1 && !lit.dithersCutOuts;
-    state_->painter.prepare(main, false);
-    if (watery) state_->painter.prepare(lit, true);
+    state_->painter.prepare(main);
+    if (watery) state_->painter.prepare(lit);
     state_->occlusionPass.prepare();
     state_->bedEdge = coarseEdgeUnderWater(scene, scene.water);
     state_->takeOptions(options, scene.water);

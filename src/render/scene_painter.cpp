@@ -3,6 +3,7 @@
 #include "gl/state.h"
 #include "render/unrolled.h"
 
+#include <array>
 #include <set>
 
 namespace tarn {
@@ -17,7 +18,6 @@ enum Feature : unsigned {
     alphaTest = 1u << 4,
     turnNormal = 1u << 5,
     specular = 1u << 6,
-    clipPlane = 1u << 7,
     underwaterEye = 1u << 8,
     alphaToCoverage = 1u << 9,
     debugNormals = 1u << 10,
@@ -26,16 +26,13 @@ enum Feature : unsigned {
     shadows = 1u << 13,
     caustics = 1u << 14,
     depthOnly = 1u << 15,
-    waterline = 1u << 16,
+    skyWaterline = 1u << 16,
     inAir = 1u << 17,
     inWater = 1u << 18,
     flatWater = 1u << 19,
-    cascade0 = 1u << 20,
-    dithered = 1u << 21,
-    forMap = 1u << 22,
-    countsFaces = 1u << 23,
-    cascade1 = 1u << 24,
-    cascade2 = 1u << 25,
+    dithered = 1u << 20,
+    forMap = 1u << 21,
+    countsFaces = 1u << 22,
 };
 
 struct FeatureName {
@@ -45,28 +42,22 @@ struct FeatureName {
 constexpr FeatureName featureNames[] = {
     {diffuseMap, "DIFFUSE_MAP"},   {normalMap, "NORMAL_MAP"},        {emissiveMap, "EMISSIVE_MAP"},
     {alphaMap, "ALPHA_MAP"},       {alphaTest, "ALPHA_TEST"},        {turnNormal, "TURN_NORMAL"},
-    {specular, "SPECULAR"},        {clipPlane, "CLIP"},              {underwaterEye, "UNDERWATER"},
+    {specular, "SPECULAR"},        {underwaterEye, "UNDERWATER"},
     {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
     {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
-    {waterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"},
+    {skyWaterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"},
     {flatWater, "FLAT_WATER"},
     {dithered, "DITHERED"},         {forMap, "FOR_MAP"},             {countsFaces, "COUNT_FACES"}};
 
-constexpr unsigned cascadeFeatures[mostCascades] = {cascade0, cascade1, cascade2};
-
 /// What decides whether a surface is there at all.
 constexpr unsigned shapeFeatures =
-    diffuseMap | alphaMap | alphaTest | clipPlane | dithered | countsFaces | flatWater;
+    diffuseMap | alphaMap | alphaTest | dithered | countsFaces | flatWater;
 
 gl::Defines definesOf(unsigned features)
 {
     gl::Defines defines;
     for (const auto& [feature, define] : featureNames)
         if (features & feature) defines.emplace_back(define, "1");
-    unsigned cascades = 0;
-    for (std::size_t i = 0; i < mostCascades; ++i)
-        if (features & cascadeFeatures[i]) cascades |= 1u << i;
-    if (features & shadows) defines.emplace_back("SHADOW_CASCADES", std::to_string(cascades));
     return defines;
 }
 
@@ -82,6 +73,7 @@ ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders) : 
     for (const Instance& instance : scene.instances())
         worldFromModelNormal_.push_back(glm::transpose(glm::inverse(mat3(instance.worldFromModel))));
     lightCount_ = drawnLightCount(scene.scene());
+    allUnderwater_.upload(std::array<std::uint8_t, 1>{255});
     setWater(scene.scene().water.present ? &scene.scene().water : nullptr);
 }
 
@@ -115,23 +107,9 @@ unsigned ScenePainter::features(const Chunk& chunk) const
     return bits;
 }
 
-unsigned ScenePainter::cascades(const Chunk& chunk, const vec4& onPlane, const PaintStyle& style) const
+gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style)
 {
-    const bool isInWater = media_[static_cast<std::size_t>(&chunk - scene_.chunks().all.data())] == Medium::water;
-    if (!style.shadows || isInWater) return 0;
-    unsigned held = style.distantShadows ? (1u << sunMaps_.volume.cascades.size()) - 1u : 1u;
-    if (style.fewestCascades) held &= cascadesHolding(sunMaps_.volume, onPlane);
-    unsigned bits = 0;
-    for (std::size_t i = 0; i < mostCascades; ++i)
-        if (held & 1u << i) bits |= cascadeFeatures[i];
-    return bits;
-}
-
-gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, bool clips)
-{
-    if (clips) bits |= clipPlane;
-    if (style.underwaterEye) bits |= underwaterEye;
-    if (style.waterline) bits |= waterline;
+    if (style.underwaterEye || style.waterline) bits |= underwaterEye;
     if (style.throughFlatWater) bits |= flatWater;
     if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
     if (style.dithersCutOuts && (bits & alphaTest) && (bits & (diffuseMap | alphaMap))) bits |= dithered;
@@ -143,7 +121,7 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style, 
     if (style.countsFaces) bits |= countsFaces;
     if (style.depthOnly || style.countsFaces) {
         bits &= shapeFeatures;
-        if (!(bits & alphaTest)) bits &= clipPlane | countsFaces | flatWater; // maps matter to cut-outs only
+        if (!(bits & alphaTest)) bits &= countsFaces | flatWater; // maps matter to cut-outs only
         bits |= depthOnly;
     }
     const int taps = style.shadows ? sunMaps_.taps : 0;
@@ -164,16 +142,16 @@ gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
     unsigned bits = 0;
     if (style.sunDisc) bits |= sunDisc;
     if (style.underwaterEye) bits |= underwaterEye;
-    if (style.waterline) bits |= waterline;
+    if (style.waterline) bits |= skyWaterline;
     auto& program = skyPrograms_[bits];
     if (!program) program = shaders_.program("sky", "passes/sky.vert", "passes/sky.frag", definesOf(bits));
     return *program;
 }
 
-void ScenePainter::prepare(const PaintStyle& style, bool clips)
+void ScenePainter::prepare(const PaintStyle& style)
 {
     for (const Chunk& chunk : scene_.chunks().all)
-        sceneProgram(features(chunk) | cascades(chunk, onSunPlane(chunk), style), style, clips);
+        sceneProgram(features(chunk), style);
     skyProgram(style);
 }
 
@@ -262,20 +240,15 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
                        .scissor = style.scissor});
             lastState = state;
         }
-        const vec4 onPlane = style.shadows ? onSunPlane(*chunk) : vec4(0.0f);
-        const unsigned bits = features(*chunk) | cascades(*chunk, onPlane, style);
-        gl::Program& program = sceneProgram(bits, style, view.clips());
+        const unsigned bits = features(*chunk);
+        gl::Program& program = sceneProgram(bits, style);
         if (warmingUp_ && !warm.insert({&program, state}).second) continue;
         const bool newProgram = &program != lastProgram;
         if (newProgram) {
             program.use();
-            if (style.waterline) program.texture("waterline", *style.waterline);
-            if (style.shadows) {
-                program.texture("afloatDepth", *sunMaps_.afloat.front());
-                if (bits & cascade1) program.texture("distantDepth0", *sunMaps_.afloat[1]);
-                if (bits & cascade2) program.texture("distantDepth1", *sunMaps_.afloat[2]);
-                program.texture("submergedDepth", *sunMaps_.submerged);
-            }
+            if (style.waterline || style.underwaterEye)
+                program.texture("waterline", style.waterline ? *style.waterline : allUnderwater_);
+            if (style.shadows) program.texture("sunDepth", *sunMaps_.depth);
             if (style.caustics && !(bits & inAir)) program.texture("causticsMap", *sunMaps_.caustics);
         }
         if (newProgram || chunk->material != lastMaterial) setMaterial(program, material, style.dithersCutOuts);
@@ -286,10 +259,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         }
         if (style.dithersCutOuts && material.alphaTested)
             program.set("chunk", static_cast<int>(chunk - scene_.chunks().all.data()));
-        if (style.shadows) {
-            program.set("geometryError", chunk->error);
-            if (bits & (cascade0 | cascade1 | cascade2)) program.set("chunkOnSunPlane", onPlane);
-        }
+        if (style.shadows) program.set("geometryError", chunk->error);
         lastProgram = &program;
         lastMaterial = chunk->material;
         lastInstance = chunk->instance;

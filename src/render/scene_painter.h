@@ -6,7 +6,6 @@
 #include "gl/state.h"
 #include "render/gpu_scene.h"
 #include "render/renderer.h"
-#include "render/sun_views.h"
 
 #include <map>
 #include <memory>
@@ -23,8 +22,6 @@ struct PaintStyle {
     bool dithersCutOuts = false;  ///< foliage is there by chance of its share of a pixel: pixels' means are what counts
     bool debugNormals = false;    ///< world-space normals in place of radiance
     bool shadows = false;         ///< sunlight is looked up in the shadow maps
-    bool distantShadows = false;  ///< in those beyond the first, too
-    bool fewestCascades = false;  ///< in those of them alone that a chunk lies in
     bool caustics = false;        ///< and what reaches the bed in the caustics texture
     bool throughFlatWater = false; ///< what lies under the level is drawn where a flat surface shows it
     bool depthOnly = false;       ///< no colour
@@ -37,15 +34,11 @@ struct PaintStyle {
     bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
 };
 
-/// What the sun's light is looked up in. Empty or null: not there, and not asked for by any style.
+/// What the sun's light is looked up in. Null: not there, and not asked for by any style.
 struct SunMaps {
-    std::vector<const gl::Texture*> afloat; ///< depth along the sun of what stands over the level: 1 to 3 cascades
-    const gl::Texture* submerged = nullptr; ///< depth along the refracted sun of what lies under it
-    const gl::Texture* caustics = nullptr;  ///< irradiance on the bed relative to the sun's above the water
-    int taps = 2;                           ///< comparisons along an edge of the shadow filter
-    SunVolume volume{};                     ///< what the cascades cover
-    vec3 toSun{0.0f, 1.0f, 0.0f};           ///< in the air
-    float level = 0.0f;                     ///< of the water
+    const gl::Texture* depth = nullptr;    ///< of SunlightPass
+    const gl::Texture* caustics = nullptr; ///< irradiance on the bed relative to the sun's above the water
+    int taps = 2;                          ///< comparisons along an edge of the shadow filter
 };
 
 class ScenePainter {
@@ -53,7 +46,7 @@ public:
     ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders);
 
     /// Compiles what the scene's materials need in a style, so that the first frame does not wait for it.
-    void prepare(const PaintStyle& style, bool clips);
+    void prepare(const PaintStyle& style);
 
     /// For all draws from now on: what is drawn wholly in the air, or wholly under water, leaves out the other's light.
     /// Null: there is no water. Must outlive the draws.
@@ -73,12 +66,7 @@ public:
 private:
     /// What a material asks of the shader. Bits of a key.
     unsigned features(const Chunk& chunk) const;
-    /// Where the chunk's shadows in the air are looked up, in the same bits.
-    /// @param onPlane of the chunk (sun_views.h)
-    unsigned cascades(const Chunk& chunk, const vec4& onPlane, const PaintStyle& style) const;
-    vec4 onSunPlane(const Chunk& chunk) const { return onPlane(chunk.boundsW, sunMaps_.toSun, sunMaps_.level); }
-    /// @param features and cascades
-    gl::Program& sceneProgram(unsigned features, const PaintStyle& style, bool clips);
+    gl::Program& sceneProgram(unsigned features, const PaintStyle& style);
     gl::Program& skyProgram(const PaintStyle& style);
     void setMaterial(gl::Program& program, const Material& material, bool dithers) const;
     void drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
@@ -94,6 +82,7 @@ private:
     int lightCount_ = 0; ///< point and spot lights
     bool warmingUp_ = false;
     SunMaps sunMaps_;
+    gl::Texture allUnderwater_{{.format = gl::Format::r8, .filter = gl::Filter::nearest}, "all under water"};
     std::map<std::pair<unsigned, int>, std::shared_ptr<gl::Program>> scenePrograms_; ///< by features and taps
     std::map<unsigned, std::shared_ptr<gl::Program>> skyPrograms_;
     std::vector<mat3> worldFromModelNormal_; ///< per instance

@@ -47,8 +47,6 @@ void SunStage::begin(const Inputs& inputs, Kept& kept, bool draws)
     lit_ = PaintStyle{};
     lit_.dithersCutOuts = dithersCutOuts(options.frame);
     lit_.shadows = inputs.plan[PassId::sunlight].wanted && options.sunlight.shadows;
-    lit_.distantShadows = lit_.shadows && volume_.cascades.size() > 1;
-    lit_.fewestCascades = options.plan.allows(RuleId::fewestCascades);
     lit_.caustics = inputs.plan[PassId::caustics].wanted;
     lit_.depthFirst = options.frame.depthPrepass;
 }
@@ -62,7 +60,7 @@ void SunStage::draw(const Inputs& inputs, Drawing& drawing)
         drawing.stats.plan[PassId::caustics].reason += " (caustics.interval: an earlier frame's)";
     else if (!isThere && !drawing.kept.caustics({sunlightInputs(inputs), region_, inputs.light, inputs.waves}))
         drawCaustics(inputs, drawing);
-    drawing.painter.setSunMaps(maps(&caustics_.target().colour(), inputs));
+    drawing.painter.setSunMaps({&sunlight_.depth(), &caustics_.target().colour(), inputs.options.sunlight.taps});
 }
 
 SunlightPass::Inputs SunStage::sunlightInputs(const Inputs& inputs) const
@@ -98,16 +96,7 @@ void SunStage::drawSunlight(const Inputs& frame, Drawing& drawing)
         draw(SunLayer::submerged, 0, inputs.toSunBelow);
         sunlight_.keep(inputs, options);
     }
-    drawing.painter.setSunMaps(maps(nullptr, frame));
-}
-
-SunMaps SunStage::maps(const gl::Texture* caustics, const Inputs& inputs) const
-{
-    SunMaps maps{{},      &sunlight_.depth(SunLayer::submerged), caustics,          inputs.options.sunlight.taps,
-                 volume_, inputs.light.sunDirection,             inputs.water.level};
-    for (std::size_t cascade = 0; cascade < volume_.cascades.size(); ++cascade)
-        maps.afloat.push_back(&sunlight_.depth(SunLayer::afloat, cascade));
-    return maps;
+    drawing.painter.setSunMaps({&sunlight_.depth(), nullptr, options.taps});
 }
 
 void SunStage::drawCaustics(const Inputs& inputs, Drawing& drawing)
@@ -115,11 +104,10 @@ void SunStage::drawCaustics(const Inputs& inputs, Drawing& drawing)
     gl::PassScope scope(drawing.profiler, passName(PassId::caustics));
     const CausticsOptions& options = inputs.options.caustics;
     const float cell = 2.0f * region_.rect.halfExtent.x / static_cast<float>(options.photons);
-    const gl::Texture& afloat = sunlight_.depth(SunLayer::afloat);
     const gl::Target& drawn =
         caustics_.draw(options,
-                       {.submergedDepth = sunlight_.depth(SunLayer::submerged),
-                        .afloatDepth = inputs.options.sunlight.shadows ? &afloat : nullptr,
+                       {.sunDepth = sunlight_.depth(),
+                        .shadows = inputs.options.sunlight.shadows,
                         .absorption = inputs.water.absorption,
                         .surfaceMovesSideways = movesSideways(inputs.water, inputs.light.sunDirection, cell),
                         .waveWeights = waveWeights(inputs.waves, drawnWaveCount(inputs.water), cell)},

@@ -44,7 +44,6 @@ public:
 
 private:
     SunlightPass::Inputs sunlightInputs(const Inputs& inputs) const;
-    SunMaps maps(const gl::Texture* caustics, const Inputs& inputs) const;
     void drawSunlight(const Inputs& inputs, Drawing& drawing);
     void drawCaustics(const Inputs& inputs, Drawing& drawing);
 

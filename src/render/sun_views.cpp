@@ -84,35 +84,6 @@ SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& to
     return volume;
 }
 
-vec4 onPlane(const Bounds& boxW, const vec3& toSun, float level)
-{
-    const vec2 slant = optics::sunSlant(toSun);
-    vec2 lower(std::numeric_limits<float>::max()), upper(std::numeric_limits<float>::lowest());
-    for (int corner = 0; corner < 8; ++corner) { // sunPlane is linear
-        const vec3 point((corner & 1) ? boxW.upper.x : boxW.lower.x, (corner & 2) ? boxW.upper.y : boxW.lower.y,
-                         (corner & 4) ? boxW.upper.z : boxW.lower.z);
-        const vec2 plane = optics::sunPlane(point, level, slant);
-        lower = glm::min(lower, plane);
-        upper = glm::max(upper, plane);
-    }
-    return {lower, upper};
-}
-
-unsigned cascadesHolding(const SunVolume& volume, const vec4& onPlane)
-{
-    constexpr float room = 0.01f; // m, for rounding
-    const vec2 lower = vec2(onPlane) - room, upper = vec2(onPlane.z, onPlane.w) + room;
-    unsigned held = 0;
-    for (std::size_t i = 0; i < volume.cascades.size(); ++i) {
-        const vec2 first = volume.cascades[i].centre - volume.cascades[i].halfExtent;
-        const vec2 last = volume.cascades[i].centre + volume.cascades[i].halfExtent;
-        if (glm::any(glm::greaterThan(lower, last)) || glm::any(glm::lessThan(upper, first))) continue; // beside it
-        held |= 1u << i;
-        if (glm::all(glm::greaterThanEqual(lower, first)) && glm::all(glm::lessThanEqual(upper, last))) break; // within
-    }
-    return held;
-}
-
 View parallelView(const LevelRect& rect, float lowest, float highest, vec2 slant, float level)
 {
     // Rows of clipFromWorld: x - slant (y - level) and z likewise over the rectangle, heights from the top down.

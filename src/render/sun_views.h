@@ -18,26 +18,17 @@ struct LevelRect {
     bool operator==(const LevelRect&) const = default;
 };
 
-inline constexpr std::size_t mostCascades = 3;
-
 /// What the shadow maps hold. It does not depend on the eye, so that their texels never move and they need drawing
 /// only once.
 struct SunVolume {
     /// Where maps are laid: over the water and a part of the shore first, then, each holding the one before it, as far
-    /// as the scene goes (1 to mostCascades).
+    /// as the scene goes (1 to 3).
     std::vector<LevelRect> cascades{LevelRect{}};
     float lowest = -1.0f, highest = 1.0f; ///< of the scene
     bool operator==(const SunVolume&) const = default;
 };
 /// @param bounds of the whole scene   @param toSun in the air; what lies deep is looked up that much to its side
 SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& toSun, const SunlightOptions& options);
-
-/// Where the sun's light through a box in the air crosses the level: lower x and z, upper x and z.
-/// @param boxW world
-vec4 onPlane(const Bounds& boxW, const vec3& toSun, float level);
-
-/// Which of the cascades places of such a rectangle are looked up in, each in the first that holds it: bit i for cascade i.
-unsigned cascadesHolding(const SunVolume& volume, const vec4& onPlane);
 
 /// Which half of the scene a shadow map holds.
 enum class SunLayer { afloat, submerged };

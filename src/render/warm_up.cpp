@@ -40,9 +40,7 @@ Options small(Options options)
 Options complete(const Options& options)
 {
     Options all = small(options);
-    const auto chooser = static_cast<std::size_t>(RuleId::fewestCascades); // of programs
     all.plan.rules.fill(false);
-    all.plan.rules[chooser] = options.plan.rules[chooser];
     return all;
 }
 

@@ -2,7 +2,6 @@
 #include "gl_test.h"
 
 #include "gl/shader_library.h"
-#include "render/sun_views.h"
 #include "studio.h"
 #include "test_scenes.h"
 
@@ -221,28 +220,6 @@ TEST(FrameHiddenWater, BlocksComeBackInTheFrameThatSeesThem)
     pair.change(off);
     pair.draw(left, 0.7);
     EXPECT_FALSE(asks(pair.draw(left, 0.8)));
-}
-
-// Chunks inside of each of the sun's maps, across their edges and beside them all.
-TEST(FrameLeftOut, ShadowsOfMapsThatAChunkIsNotInAreNotMissed)
-{
-    Scene scene = pond();
-    scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
-    scene.sun->direction = normalize(vec3(0.6f, 0.5f, -0.3f));
-    for (int i = 0; i < 12; ++i) {
-        const float x = 12.0f + 14.0f * static_cast<float>(i);
-        addBox(scene, {x, -2, -1}, {x + 1.5f, 4, 1}, 0);           // casts
-        addBox(scene, {x - 9, -2.1f, -6}, {x + 9, 0.3f, 6}, 0);  // shows the shadow
-    }
-    Options options = smallOptions();
-    options.sunlight.cascades = 3;
-    Pair pair(scene, options);
-    EXPECT_EQ(sunVolume(scene.water, worldBounds(scene), scene.sun->direction, options.sunlight).cascades.size(), 3u);
-    for (int i = 0; i < 6; ++i) {
-        const float x = 10.0f + 28.0f * static_cast<float>(i);
-        const FrameStats& stats = pair.draw(cameraAt({x, 9, 16}, {x + 6, 0, 0}), 0.0);
-        EXPECT_TRUE(stats.plan.rule(RuleId::fewestCascades).applies) << stats.plan.rule(RuleId::fewestCascades).why;
-    }
 }
 
 // Each rule where it applies, against the full frame: pictures differ by a step of the display at most.

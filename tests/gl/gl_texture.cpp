@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "gl/api.h"
 #include "gl/context.h"
+#include "gl/framebuffer.h"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,22 @@ TEST(GlTexture, CubeFacesAreSeparate)
     }
 }
 
+TEST(GlTexture, LayersAreSeparate)
+{
+    Texture array({.kind = TextureKind::array, .format = Format::r32f, .size = {2, 2}, .layers = 3}, "array");
+    EXPECT_EQ(array.faces(), 3);
+    for (int layer = 0; layer < 3; ++layer)
+        array.upload(std::vector<float>(4, static_cast<float>(layer)), 0, layer);
+    for (const int layer : {2, 0}) {
+        const Framebuffer target("layer", {{array, 0, layer}});
+        target.clearColour(vec4(10.0f + static_cast<float>(layer)));
+    }
+    EXPECT_EQ(array.readBack(0), std::vector<float>(4, 10.0f));
+    EXPECT_EQ(array.readBack(1), std::vector<float>(4, 1.0f)) << "drawn into by nobody";
+    EXPECT_EQ(array.readBack(2), std::vector<float>(4, 12.0f));
+    EXPECT_NE(messageOf([&] { array.readBack(3); }).find("face 3"), std::string::npos);
+}
+
 TEST(GlTexture, ImpossibleOnesAreNamed)
 {
     EXPECT_EQ(messageOf([] {
@@ -103,6 +120,7 @@ TEST(GlTexture, ImpossibleOnesAreNamed)
               }),
               "texture \"sky\" (rgba8 4x2): the faces of a cube must be square");
     EXPECT_NE(messageOf([] { Texture({.size = {1 << 28, 1}}, "wide"); }).find("at most"), std::string::npos);
+    EXPECT_NE(messageOf([] { Texture({.size = {1, 1}, .layers = 2}, "deep"); }).find("2 layers"), std::string::npos);
     EXPECT_NE(messageOf([] {
                   Texture({.size = {1, 1}, .samples = 1000}, "fine");
               }).find("1000 samples"),

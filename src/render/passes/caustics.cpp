@@ -43,7 +43,7 @@ gl::Program& CausticsPass::photonProgram(const CausticsOptions& options, const I
                         unrolled("EACH_STEP", "STEP", options.steps - 1, mostWrittenOut)};
     if (options.steps == 1) defines.emplace_back("PLANAR", "1");
     if (inputs.surfaceMovesSideways) defines.emplace_back("SURFACE_MOVES_SIDEWAYS", "1");
-    if (inputs.afloatDepth) defines.emplace_back("SHADOWS", "1");
+    if (inputs.shadows) defines.emplace_back("SHADOWS", "1");
     auto& program = photonPrograms_[defines];
     if (!program)
         program = shaders_.program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag", defines);
@@ -57,8 +57,7 @@ void CausticsPass::castPhotons(const CausticsOptions& options, const Inputs& inp
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
     photons_.bind();
     program.use();
-    program.texture("submergedDepth", inputs.submergedDepth);
-    if (inputs.afloatDepth) program.texture("afloatDepth", *inputs.afloatDepth);
+    program.texture("sunDepth", inputs.sunDepth);
     if (!inputs.waveWeights.empty()) program.setArray("waveWeights", std::span<const float>(inputs.waveWeights));
     triangle_.draw();
 }

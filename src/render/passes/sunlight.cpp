@@ -10,18 +10,29 @@ bool SunlightPass::isStale(const Inputs& inputs, const SunlightOptions& options)
     return !drawn_ || !(*drawn_ == inputs) || mapSize_ != options.mapSize || format_ != options.depth;
 }
 
+void SunlightPass::ensureLayers(const SunlightOptions& options, std::size_t cascades)
+{
+    // Photons read the bed between texels; shadow comparisons fetch single ones and filter the answers.
+    const gl::TextureDesc desc{.kind = gl::TextureKind::array,
+                               .format = glFormat(options.depth),
+                               .size = ivec2(options.mapSize),
+                               .layers = 1 + static_cast<int>(cascades),
+                               .filter = gl::Filter::linear};
+    if (depth_ && depth_.desc() == desc) return;
+    layers_.clear();
+    depth_ = gl::Texture(desc, "sunlight depth");
+    for (int layer = 0; layer < desc.layers; ++layer)
+        layers_.emplace_back("sunlight", std::initializer_list<gl::Attachment>{{depth_, 0, layer}});
+}
+
 void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, ScenePainter& painter,
                         const Inputs& inputs, const SunlightOptions& options, bool cull, FrameStats::Pass& stats)
 {
-    gl::Target& target = layer == SunLayer::afloat ? afloat_.at(cascade) : submerged_;
-    // Photons read the bed between texels; shadow comparisons fetch single ones and filter the answers.
-    target.ensure({.size = ivec2(options.mapSize),
-                   .colours = {},
-                   .depth = glFormat(options.depth),
-                   .depthFilter = gl::Filter::linear});
+    ensureLayers(options, inputs.volume.cascades.size());
+    const gl::Framebuffer& target = layers_.at(layer == SunLayer::submerged ? 0 : 1 + cascade);
     gl::apply({});
     target.bind();
-    target.drawFramebuffer().clearDepth();
+    target.clearDepth();
     PaintStyle style;
     style.depthOnly = true;
     style.bothSides = true;

@@ -2,13 +2,13 @@
 // (Mihálik 2008, section 9.2). Shadows are looked up in it, and photons find the bed in it.
 #pragma once
 
-#include "gl/target.h"
+#include "gl/framebuffer.h"
 #include "plan/options.h"
 #include "render/scene_painter.h"
 #include "render/sun_views.h"
 
-#include <array>
 #include <optional>
+#include <vector>
 
 namespace tarn {
 
@@ -35,15 +35,14 @@ public:
     /// After all of them.
     void keep(const Inputs& inputs, const SunlightOptions& options);
 
-    const gl::Texture& depth(SunLayer layer, std::size_t cascade = 0) const
-    {
-        return (layer == SunLayer::afloat ? afloat_.at(cascade) : submerged_).depth();
-    }
+    /// An array of layers (shaders/passes/sun_maps.glsl).
+    const gl::Texture& depth() const { return depth_; }
 
 private:
-    std::array<gl::Target, mostCascades> afloat_{gl::Target{"sunlight afloat"}, gl::Target{"sunlight beyond"},
-                                                 gl::Target{"sunlight far beyond"}};
-    gl::Target submerged_{"sunlight submerged"};
+    void ensureLayers(const SunlightOptions& options, std::size_t cascades);
+
+    gl::Texture depth_;
+    std::vector<gl::Framebuffer> layers_; ///< of depth_
     std::optional<Inputs> drawn_;
     int mapSize_ = 0;
     DepthFormat format_ = DepthFormat::depth24;

@@ -53,8 +53,7 @@ void setBed(gl::Program& p, const WaterPass::Bed& bed)
     p.set("bedLowest", field.lowest);
     if (bed.lit.caustics) p.texture("causticsMap", *bed.sun.caustics);
     if (!bed.lit.shadows) return;
-    p.texture("afloatDepth", *bed.sun.afloat.front());
-    p.texture("submergedDepth", *bed.sun.submerged);
+    p.texture("sunDepth", *bed.sun.depth);
 }
 
 void setAfloat(gl::Program& p, const AfloatHeightsPass& afloat)
