@@ -65,6 +65,7 @@ bool LivePicture::hasEnded() const
 void LivePicture::show(const Scene& scene, const Settings& settings)
 {
     times_.note(StartupEvent::loaded);
+    if (context_.isSoftware()) builderContext_ = context_.makeShared();
     full_ = std::make_unique<FrameThread>(
         context_.makeShared(),
         [this, &scene, settings](const StopSignal& stop) { return makeFull(scene, settings, stop); }, wake_);
@@ -90,7 +91,8 @@ std::unique_ptr<FrameSource> LivePicture::makeFull(const Scene& scene, const Set
     there.wait(); // the draft's context must not draw from it before
     times_.note(StartupEvent::uploaded);
     promise_.set_value(DraftScene(*uploaded));
-    return std::make_unique<RendererSource>(std::move(uploaded), settings.options, settings.water, building_.get());
+    return std::make_unique<RendererSource>(std::move(uploaded), settings.options, settings.water, building_.get(),
+                                            std::move(builderContext_));
 }
 
 void LivePicture::ask(const FrameRequest& request)

@@ -76,6 +76,7 @@ private:
     StartupTimes times_;
     SharedProgress progress_;
     std::unique_ptr<Progress> building_; ///< of the renderer's thread
+    std::unique_ptr<gl::Context> builderContext_; ///< until the renderer is made
     std::promise<DraftScene> promise_;
     std::future<DraftScene> snapshot_ = promise_.get_future();
 

@@ -45,8 +45,9 @@ public:
     /// What the last draw() made, as shown.
     virtual const gl::Framebuffer& picture() const = 0;
     virtual FrameReport report() const = 0;
-    /// A small piece of work that can wait until a frame is delivered. Returns false when there is none.
-    virtual bool workAhead() { return false; }
+    enum class Ahead { nothing, more, later };
+    /// A small piece of work that can wait until a frame is delivered. Says whether there is more, or will be.
+    virtual Ahead workAhead() { return Ahead::nothing; }
     /// Null when another thing draws.
     virtual Renderer* renderer() { return nullptr; }
 };

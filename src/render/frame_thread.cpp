@@ -77,16 +77,23 @@ void FrameThread::work(const Make& make)
 
 void FrameThread::serve(FrameSource& source)
 {
-    bool hasWork = false; // to be done ahead
+    using Ahead = FrameSource::Ahead;
+    constexpr std::chrono::milliseconds later{20};
+    Ahead ahead = Ahead::nothing;
     bool jobDrew = false; // what the source says is unchanged may be so since a job, and was never shown
+    std::optional<Camera> last;
+    const auto workAhead = [&] {
+        ahead = source.workAhead();
+        idle_ = ahead == Ahead::nothing;
+        if (idle_) wake_();
+    };
     for (;;) {
         std::unique_lock lock(mutex_);
         const auto isNeeded = [&] { return stop_.isSet() || !jobs_.empty() || (asked_ && !finished_); };
-        if (hasWork && !isNeeded()) {
+        if (ahead == Ahead::later) changed_.wait_for(lock, later, isNeeded);
+        if (ahead != Ahead::nothing && !isNeeded()) {
             lock.unlock();
-            hasWork = source.workAhead();
-            idle_ = !hasWork;
-            if (idle_) wake_();
+            workAhead();
             continue;
         }
         changed_.wait(lock, isNeeded);
@@ -109,17 +116,19 @@ void FrameThread::serve(FrameSource& source)
         }
         if (drew) {
             jobDrew = false;
-            const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-            deliver(source, spent.count());
+            deliver(source, start);
         }
         ++answered_;
         wake_();
-        hasWork = source.workAhead();
-        idle_ = !hasWork;
+        // Who moves waits for nothing but frames.
+        const bool moves = last && !(*last == request.camera);
+        last = request.camera;
+        if (!moves) workAhead();
+        else if (ahead == Ahead::nothing) ahead = Ahead::more; // as far as is known
     }
 }
 
-void FrameThread::deliver(const FrameSource& source, double milliseconds)
+void FrameThread::deliver(const FrameSource& source, std::chrono::steady_clock::time_point start)
 {
     Slot* back = nullptr;
     {
@@ -136,9 +145,10 @@ void FrameThread::deliver(const FrameSource& source, double milliseconds)
     back->shown.holdBack();
     picture.blitTo(back->target, {});
     back->report = source.report();
-    back->report.milliseconds = milliseconds;
     back->drawn.place();
     if (gl::capabilities().llvmpipe) back->drawn.wait(); // else who shows it would poll, on the cores that draw
+    const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+    back->report.milliseconds = spent.count();
     const std::lock_guard lock(mutex_);
     finished_ = back;
 }

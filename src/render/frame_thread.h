@@ -16,6 +16,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -87,7 +88,7 @@ private:
 
     void work(const Make& make);
     void serve(FrameSource& source);
-    void deliver(const FrameSource& source, double milliseconds);
+    void deliver(const FrameSource& source, std::chrono::steady_clock::time_point start);
 
     std::unique_ptr<gl::Context> context_;
     std::function<void()> wake_;

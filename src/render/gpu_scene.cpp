@@ -26,7 +26,7 @@ void GpuScene::uploadMeshes()
     meshes_.resize(scene_.meshes.size());
     for (std::size_t i = 0; i < meshes_.size(); ++i) {
         const Mesh& mesh = scene_.meshes[i];
-        MeshBuffers& buffers = meshes_[i].buffers;
+        MeshBuffers& buffers = meshes_[i];
         buffers.vertices = std::make_shared<gl::Buffer>(mesh.name + " vertices");
         buffers.vertices->upload(std::span(mesh.vertices));
         uploadIndices(i, {});
@@ -52,18 +52,17 @@ gl::VertexArray meshVertexArray(const std::string& label, const MeshBuffers& buf
 void GpuScene::uploadIndices(std::size_t mesh, const std::vector<std::uint32_t>& further)
 {
     const std::vector<std::uint32_t>& own = scene_.meshes[mesh].indices;
-    GpuMesh& gpu = meshes_[mesh];
-    gpu.buffers.indices = std::make_shared<gl::Buffer>(scene_.meshes[mesh].name + " indices");
+    MeshBuffers& buffers = meshes_[mesh];
+    buffers.indices = std::make_shared<gl::Buffer>(scene_.meshes[mesh].name + " indices");
     if (further.empty()) {
-        gpu.buffers.indices->upload(std::span(own));
+        buffers.indices->upload(std::span(own));
     } else {
         std::vector<std::uint32_t> all;
         all.reserve(own.size() + further.size());
         all.insert(all.end(), own.begin(), own.end());
         all.insert(all.end(), further.begin(), further.end());
-        gpu.buffers.indices->upload(std::span(std::as_const(all)));
+        buffers.indices->upload(std::span(std::as_const(all)));
     }
-    gpu.array = meshVertexArray(scene_.meshes[mesh].name, gpu.buffers);
 }
 
 bool GpuScene::wantDetail(Progress* progress)

@@ -1,4 +1,5 @@
-// A scene in the graphics card's memory: meshes, textures, and the baked sky. Made once per scene.
+// A scene in the graphics card's memory: meshes, textures, and the baked sky. Made once per scene, for all contexts that
+// share what they hold.
 #pragma once
 
 #include "gl/buffer.h"
@@ -36,8 +37,7 @@ public:
     const Chunks& chunks() const { return chunks_; }
     const SkyModel& sky() const { return sky_; }
     const gl::Texture& skyMap() const { return skyMap_; }
-    const MeshBuffers& buffers(int mesh) const { return meshes_[static_cast<std::size_t>(mesh)].buffers; }
-    const gl::VertexArray& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)].array; }
+    const MeshBuffers& buffers(int mesh) const { return meshes_[static_cast<std::size_t>(mesh)]; }
 
     /// How a map's values are meant: colours are sRGB-encoded, the rest is linear.
     enum class MapUse { colour, data };
@@ -65,18 +65,13 @@ private:
     gl::Texture uploaded(int image, MapUse use, CutOutLevels levels) const;
     void bakeSky();
 
-    struct GpuMesh {
-        MeshBuffers buffers;
-        gl::VertexArray array;
-    };
-
     const Scene& scene_;
     std::vector<Instance> instances_;
     Chunks chunks_;
     bool hasDetail_ = false;
     std::size_t geometryBytes_ = 0;
     SkyModel sky_;
-    std::vector<GpuMesh> meshes_;
+    std::vector<MeshBuffers> meshes_;
     using TextureKey = std::pair<int, MapUse>;
     std::map<TextureKey, gl::Texture> textures_;
     std::map<TextureKey, gl::Texture> shares_; ///< of cut-outs; empty until they are wanted

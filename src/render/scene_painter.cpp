@@ -68,7 +68,8 @@ bool transmits(const Material& material)
 
 } // namespace
 
-ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders) : scene_(scene), shaders_(shaders)
+ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders)
+    : scene_(scene), shaders_(shaders), meshArrays_(scene.scene().meshes.size())
 {
     for (const Instance& instance : scene.instances())
         worldFromModelNormal_.push_back(glm::transpose(glm::inverse(mat3(instance.worldFromModel))));
@@ -183,6 +184,7 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material, b
 void ScenePainter::draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
                         FrameStats::Pass& stats)
 {
+    if (media_.size() != scene_.chunks().all.size()) setWater(water_); // another renderer has asked the scene for levels of detail
     const auto chunks = visibleChunks(scene_.chunks(), scene_.scene().materials, view, cover, cull, water_);
     if (style.depthFirst && !style.depthOnly) drawDepthFirst(chunks, view, style, stats);
     else drawChunks(chunks, view, style, stats);
@@ -263,11 +265,20 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         lastProgram = &program;
         lastMaterial = chunk->material;
         lastInstance = chunk->instance;
-        scene_.mesh(chunk->mesh).drawIndexed(gl::Primitive::triangles, static_cast<int>(chunk->firstIndex),
+        meshArray(chunk->mesh).drawIndexed(gl::Primitive::triangles, static_cast<int>(chunk->firstIndex),
                                              static_cast<int>(warmingUp_ ? 3 : chunk->indexCount));
         stats.triangles += chunk->indexCount / 3;
         ++stats.drawCalls;
     }
+}
+
+const gl::VertexArray& ScenePainter::meshArray(int mesh)
+{
+    MeshArray& known = meshArrays_[static_cast<std::size_t>(mesh)];
+    const MeshBuffers& buffers = scene_.buffers(mesh);
+    if (known.indices != buffers.indices)
+        known = {buffers.indices, meshVertexArray(scene_.scene().meshes[static_cast<std::size_t>(mesh)].name, buffers)};
+    return known.array;
 }
 
 void ScenePainter::drawSky(const PaintStyle& style)

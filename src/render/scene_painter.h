@@ -74,6 +74,7 @@ private:
     void drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
                         FrameStats::Pass& stats);
     void drawSky(const PaintStyle& style);
+    const gl::VertexArray& meshArray(int mesh);
 
     const GpuScene& scene_;
     gl::ShaderLibrary& shaders_;
@@ -85,6 +86,11 @@ private:
     gl::Texture allUnderwater_{{.format = gl::Format::r8, .filter = gl::Filter::nearest}, "all under water"};
     std::map<std::pair<unsigned, int>, std::shared_ptr<gl::Program>> scenePrograms_; ///< by features and taps
     std::map<unsigned, std::shared_ptr<gl::Program>> skyPrograms_;
+    struct MeshArray {
+        std::shared_ptr<gl::Buffer> indices; ///< that it was made with
+        gl::VertexArray array;
+    };
+    std::vector<MeshArray> meshArrays_; ///< of this context; made when they are first drawn
     std::vector<mat3> worldFromModelNormal_; ///< per instance
     gl::FullscreenTriangle triangle_;
 };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -108,6 +109,23 @@ public:
         return programs.size();
     }
 
+    /// Every second program that was not yet drawn with.
+    /// @param first of them, 0 or 1   @param next before each
+    void buildHalf(const std::vector<Sort>& sorts, std::size_t first, const std::function<void()>& next)
+    {
+        std::map<const gl::Program*, std::size_t> numbers;
+        std::optional<gl::NoDrawing> skipping;
+        renderer_.shaders().watchFirstUses([&](const gl::Program& program) {
+            const std::size_t number = numbers.try_emplace(&program, numbers.size()).first->second;
+            const bool builds = number % 2 == first;
+            if (builds) next();
+            if (builds) skipping.reset();
+            else if (!skipping) skipping.emplace();
+            return builds;
+        });
+        draw(sorts);
+    }
+
     /// @param next before each program that was not yet drawn with; while it answers false none is
     void build(const std::vector<Sort>& sorts, const std::function<bool()>& next)
     {
@@ -140,16 +158,20 @@ void say(Progress* progress, std::size_t number, std::size_t of)
 }
 
 /// Those that were not drawn with yet.
-std::size_t buildAll(Renderer& renderer, const WaterBody& water, const std::vector<Sort>& sorts, Progress* progress)
+/// @param order none: as they come
+std::size_t buildAll(Renderer& renderer, const WaterBody& water, const std::vector<Sort>& sorts, Progress* progress,
+                     std::optional<Rehearsal::Order> order = {})
 {
     Rehearsing rehearsing(renderer, water);
     const std::size_t programs = rehearsing.count(sorts, progress);
     std::size_t built = 0;
-    rehearsing.build(sorts, [&] {
+    const auto next = [&] {
         ++built;
         say(progress, built, std::max(built, programs));
         return true;
-    });
+    };
+    if (order) rehearsing.buildHalf(sorts, *order == Rehearsal::Order::oddFirst ? 1 : 0, next);
+    rehearsing.build(sorts, next);
     return built;
 }
 
@@ -193,13 +215,13 @@ void Rehearsal::setOptions(const Options& options, const WaterBody& water)
     s.sorts.clear();
 }
 
-void Rehearsal::build(const View& view)
+void Rehearsal::build(const View& view, Order order)
 {
     State& s = *state_;
     // As wide as the asked picture for its height, so that it sees as much.
     const float across = 16.0f * std::sqrt(static_cast<float>(view.size.x) / static_cast<float>(view.size.y));
     const ivec2 size = glm::max(ivec2(glm::round(vec2(across, 256.0f / across))), ivec2(1));
-    s.built += buildAll(s.renderer, s.water, {{small(s.options), view.camera, view.time, size}}, s.progress);
+    s.built += buildAll(s.renderer, s.water, {{small(s.options), view.camera, view.time, size}}, s.progress, order);
 }
 
 bool Rehearsal::buildOthers(std::size_t most)

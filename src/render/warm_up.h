@@ -32,8 +32,11 @@ public:
               const WaterBody& water, Progress* progress);
     ~Rehearsal();
 
+    /// Two rehearsals that begin with different programs meet in the middle, where a driver's cache has what the other built.
+    enum class Order { evenFirst, oddFirst };
+
     void setOptions(const Options& options, const WaterBody& water);
-    void build(const View& view);
+    void build(const View& view, Order order = Order::evenFirst);
     /// At most so many programs. Returns false when none is left.
     bool buildOthers(std::size_t most);
 

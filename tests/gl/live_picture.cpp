@@ -3,7 +3,9 @@
 
 #include "app/live_picture.h"
 #include "base/error.h"
+#include "gl/api.h"
 #include "render/gpu_scene.h"
+#include "render/program_builder.h"
 #include "render/renderer_source.h"
 #include "render/warm_up.h"
 #include "studio.h"
@@ -235,6 +237,71 @@ TEST(Rehearsal, LeavesNothingToBuild)
         draw(eye);
         EXPECT_EQ(unused, "") << eye.y;
     }
+}
+
+// Two that begin with different halves end with the same.
+TEST(Rehearsal, BuildsEverythingInEitherOrder)
+{
+    const Scene scene = pond();
+    const FrameRequest request = requestOf(scene);
+    const auto uploaded = uploadScene(scene, request.options, nullptr);
+    for (const auto order : {Rehearsal::Order::evenFirst, Rehearsal::Order::oddFirst}) {
+        const auto shaders = makeShaderLibrary();
+        gl::Profiler profiler;
+        Renderer renderer(uploaded, request.options, *shaders, profiler);
+        Rehearsal rehearsal(uploaded, *shaders, request.options, request.water, nullptr);
+        rehearsal.build({request.camera, request.time, request.size}, order);
+        std::string unused;
+        shaders->watchFirstUses([&](const gl::Program& program) {
+            unused += program.name() + ", ";
+            return true;
+        });
+        renderer.render({request.camera, request.time, request.size});
+        shaders->watchFirstUses({});
+        EXPECT_EQ(unused, "");
+    }
+}
+
+TEST(ProgramBuilder, EndsWithNothingLeftAndCanBeInterrupted)
+{
+    const Scene scene = pond();
+    const FrameRequest request = requestOf(scene);
+    const auto uploaded = uploadScene(scene, request.options, nullptr);
+    glFinish(); // another context is to draw from it
+    ProgramBuilder builder(testContext().makeShared(), uploaded);
+    EXPECT_TRUE(builder.isDone());
+    builder.begin({{request.options, request.water, Rehearsal::View{request.camera, request.time, request.size}}});
+    EXPECT_FALSE(builder.isDone());
+    EXPECT_TRUE(becomes([&] { return builder.isDone(); }));
+    builder.begin({{request.options, request.water}});
+    builder.begin({{request.options, request.water}}); // in place of the first
+    EXPECT_FALSE(builder.isDone());
+    builder.pause();
+    EXPECT_TRUE(becomes([&] { return builder.isDone(); }));
+    builder.begin({{request.options, request.water}}); // and is left in the middle of it
+}
+
+// In the thread that draws, programs of the second thread are drawn with at once, and then nothing is left.
+TEST(FrameThread, BuildsInASecondThread)
+{
+    const Scene scene = pond();
+    const FrameRequest request = requestOf(scene);
+    std::unique_ptr<gl::Context> second = testContext().makeShared();
+    FrameThread thread(
+        testContext().makeShared(),
+        [&](const StopSignal&) {
+            return std::make_unique<RendererSource>(uploadScene(scene, request.options, nullptr), request.options,
+                                                    request.water, nullptr, std::move(second));
+        },
+        [] {});
+    thread.ask(request);
+    EXPECT_TRUE(becomes([&] { return thread.take(); }));
+    FrameRequest other = request;
+    other.options.detail.pixels = 2.0f; // asks for something else of the scene, which the second thread may be drawing from
+    other.options.reflection.enabled = false;
+    thread.ask(other);
+    EXPECT_TRUE(becomes([&] { return thread.answered() == 2 && thread.isIdle(); }));
+    EXPECT_TRUE(becomes([&] { return thread.take(); }));
 }
 
 } // namespace tarn::test
