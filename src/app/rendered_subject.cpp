@@ -11,12 +11,12 @@ namespace {
 
 constexpr double secondsPerFrame = 1.0 / 30.0;
 
+} // namespace
+
 int longestInterval(const Options& options)
 {
     return std::max({options.refraction.interval, options.reflection.interval, options.caustics.interval});
 }
-
-} // namespace
 
 RenderedSubject::RenderedSubject(std::string name, Session& session, Settings settings,
                                  const SubjectView& view, bool keepsPictures)

@@ -20,6 +20,9 @@ struct SubjectView {
     int frames = 1; ///< that the flight takes
 };
 
+/// Frames from one drawing of every target to the next.
+int longestInterval(const Options& options);
+
 /// All subjects share a renderer, so that textures and buffers are those of one program.
 class RenderedSubject : public BenchSubject {
 public:

@@ -71,13 +71,13 @@ std::string pngOf(const Image& image)
     return bytes;
 }
 
-Price priceOf(const BenchResult& result, const BenchResult& base)
+Price priceOf(const BenchResult& result, const BenchResult& base, bool skipsTargets)
 {
     Price price;
-    price.median = percentile(result.frame.wallMs, 0.5);
+    price.median = skipsTargets ? summarise(result.frame.wallMs).mean : percentile(result.frame.wallMs, 0.5);
     price.p95 = percentile(result.frame.wallMs, 0.95);
-    price.cpu = percentile(result.frame.cpuMs, 0.5);
-    price.ratio = medianRatio(result.frame.wallMs, base.frame.wallMs);
+    price.cpu = skipsTargets ? summarise(result.frame.cpuMs).mean : percentile(result.frame.cpuMs, 0.5);
+    price.ratio = skipsTargets ? totalRatio(result.frame.wallMs, base.frame.wallMs) : medianRatio(result.frame.wallMs, base.frame.wallMs);
     for (const auto& [name, series] : result.passes)
         price.passes.push_back({name, percentile(series.wallMs, 0.5)});
     return price;
@@ -94,8 +94,11 @@ public:
     {
         const Settings settings = settleWithoutGlow(point);
         const Camera& camera = arguments_.views[view];
-        const WaterQuantities used = readQuantities(session_.renderer(), camera, time, arguments_.size);
-        return truth_.judge(used, camera, time, settings.options.frame);
+        WaterQuantities used = readQuantities(session_.renderer(), camera, time, arguments_.size);
+        ErrorFigures figures = truth_.judge(used, camera, time, settings.options.frame);
+        if (const int interval = longestInterval(settings.options); interval > 1)
+            figures.flip = flipInMotion(settings, camera, time, interval);
+        return figures;
     }
 
     std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) override
@@ -107,8 +110,9 @@ public:
                 std::make_unique<RenderedSubject>(point.label, session_, settingsOf(point), subjectView));
         const BenchReport report = runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 0}); // these warm themselves
         std::vector<Price> prices;
-        for (const BenchResult& result : report.results)
-            prices.push_back(priceOf(result, report.results.front()));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            prices.push_back(priceOf(report.results[i], report.results.front(),
+                                     longestInterval(settingsOf(points[i]).options) > 1));
         return prices;
     }
 
@@ -152,6 +156,27 @@ private:
     Settings settingsOf(const TradePoint& point) const
     {
         return changedSettings(stage_.settings, point.changes, point.label);
+    }
+
+    /// Mean FLIP of the picture at the end of a flight towards it, while targets of earlier frames are looked up: of as many
+    /// flights as there are frames from one drawing to the next, each ending at another of these.
+    double flipInMotion(const Settings& settings, const Camera& camera, double time, int interval)
+    {
+        constexpr float metresPerFrame = 4.0f / 30.0f; // as the viewer flies
+        constexpr double secondsPerFrame = 1.0 / 30.0;
+        const vec3 step = metresPerFrame * glm::normalize(camera.target - camera.eye);
+        const Image truth = truth_.display(camera, time, settings.options.frame);
+        double sum = 0.0;
+        for (int flight = 0; flight < interval; ++flight) {
+            for (int before = 2 * interval; before >= 0; --before) { // one more than twice: the next ends one frame on
+                Camera then = camera;
+                then.eye -= static_cast<float>(before) * step;
+                then.target -= static_cast<float>(before) * step;
+                session_.renderer().render({then, time - before * secondsPerFrame, arguments_.size});
+            }
+            sum += meanOf(flipMap(truth, session_.renderer().readDisplay()));
+        }
+        return sum / interval;
     }
 
     /// Glow is an effect of the lens, which the reference has not; it is priced, but not judged.

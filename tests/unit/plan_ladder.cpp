@@ -204,13 +204,13 @@ TEST(TradeLadder, SweepsOnlyWhatIsCheaper)
     Settings settings;
     settings.options.frame.msaa = 1;
     settings.options.water.surfaceSteps = 1;
-    settings.options.caustics.photons = 100;
+    settings.options.caustics.photons = 200;
     for (const Sweep& sweep : cheaperSweeps(describerOf(settings))) {
         EXPECT_NE(sweep.key, "frame.msaa");
         if (sweep.key == "water.surface_steps") {
             EXPECT_EQ(sweep.values, (std::vector<std::string>{"0"}));
         } else if (sweep.key == "caustics.photons") {
-            EXPECT_EQ(sweep.values, (std::vector<std::string>{"64"}));
+            EXPECT_EQ(sweep.values, (std::vector<std::string>{"128"}));
         }
     }
 }

@@ -16,7 +16,9 @@ namespace tarn {
 
 /// What a frame costs. All in milliseconds.
 struct Price {
-    double median = 0.0, p95 = 0.0; ///< of a frame, wall time
+    /// Of a frame, wall time. Where targets are drawn in some frames only, which differ by design, the mean stands for the
+    /// median, here and in the ratio.
+    double median = 0.0, p95 = 0.0;
     double cpu = 0.0;               ///< of the process, median
     double ratio = 1.0; ///< to the first point of the batch, median over frames that were neighbours
     struct Pass {

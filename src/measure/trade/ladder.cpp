@@ -30,10 +30,13 @@ std::vector<std::string> sweepTexts()
             "water.grid_size=33,17",
             "refraction.steps=2,1",
             "refraction.target_size=256,128",
+            "refraction.interval=2,4",
             "reflection.facets=three,one",
             "reflection.target_size=256,128",
+            "reflection.interval=2,4",
             "caustics.texture_size=256,128",
-            "caustics.photons=128,64"};
+            "caustics.photons=256,128", // fewer leave a pattern on the near bed that a person sees and FLIP hardly does
+            "caustics.interval=2,4"};
 }
 
 /// Which side of the base's value is the cheaper one: that to which the values go, or, of one value, that where it lies.
