@@ -3,7 +3,9 @@
 #include "base/error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace tarn {
 
@@ -36,7 +38,7 @@ std::size_t allowed(double share, std::size_t pixels)
 bool PictureComparison::same() const
 {
     return mismatch.empty() && overChannel <= allowed(tolerance.share, pixels) &&
-           overHardLimit <= allowed(tolerance.hardShare, pixels);
+           overHardLimit <= allowed(tolerance.hardShare, pixels) && std::abs(mean) <= tolerance.mean;
 }
 
 std::string PictureComparison::summary() const
@@ -45,9 +47,10 @@ std::string PictureComparison::summary() const
     if (largest == 0) return "identical";
     return fmt::format(
         "{} of {} pixels differ by more than {}/255 ({} may), {} by more than {}/255 ({} may); "
-        "the largest difference is {}/255, at pixel {},{}",
+        "the largest difference is {}/255, at pixel {},{}; the mean one of a channel {:+.3f}/255 ({} may be)",
         overChannel, pixels, tolerance.channel, allowed(tolerance.share, pixels), overHardLimit,
-        tolerance.hardLimit, allowed(tolerance.hardShare, pixels), largest, largestAt.x, largestAt.y);
+        tolerance.hardLimit, allowed(tolerance.hardShare, pixels), largest, largestAt.x, largestAt.y,
+        mean, tolerance.mean);
 }
 
 PictureComparison comparePictures(const Image& expected, const Image& actual,
@@ -63,7 +66,10 @@ PictureComparison comparePictures(const Image& expected, const Image& actual,
     const auto channels = static_cast<std::size_t>(expected.channels);
     const auto width = static_cast<std::size_t>(expected.width);
     result.pixels = width * static_cast<std::size_t>(expected.height);
+    std::vector<long long> sums(channels);
     for (std::size_t pixel = 0; pixel < result.pixels; ++pixel) {
+        for (std::size_t c = 0; c < channels; ++c)
+            sums[c] += int{actual.bytes[pixel * channels + c]} - int{expected.bytes[pixel * channels + c]};
         int difference = 0;
         for (std::size_t i = pixel * channels; i < (pixel + 1) * channels; ++i)
             difference = std::max(difference, std::abs(int{expected.bytes[i]} - int{actual.bytes[i]}));
@@ -73,6 +79,10 @@ PictureComparison comparePictures(const Image& expected, const Image& actual,
             result.largest = difference;
             result.largestAt = {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
         }
+    }
+    for (const long long sum : sums) {
+        const double mean = static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(result.pixels, 1));
+        if (std::abs(mean) > std::abs(result.mean)) result.mean = mean;
     }
     return result;
 }

@@ -23,6 +23,9 @@ struct PictureTolerance {
     /// Share of the pixels that may pass even that: 7 of 320x240. Silhouettes in views without multisampling
     /// flip whole pixels, one here and there; a patch as small as 3x3 pixels that is wrong is not forgiven.
     double hardShare = 0.0001;
+    /// Signed mean difference of a channel over the picture, of 255: rounding goes both ways, a light that is wrong by a
+    /// few per cent does not, and under the tone curve it stays within `channel`.
+    double mean = 0.25;
 };
 
 struct PictureComparison {
@@ -33,6 +36,7 @@ struct PictureComparison {
     std::size_t overHardLimit = 0; ///< by more than tolerance.hardLimit
     int largest = 0;               ///< difference of any channel, of 255
     ivec2 largestAt{0};            ///< its pixel, from the top left
+    double mean = 0.0; ///< actual less expected, of 255, of the channel whose mean difference is the largest
 
     bool same() const;
     /// One line for a person: what differs, how much, and where.

@@ -71,9 +71,28 @@ TEST(PictureComparison, NoiseWithinTheChannelTolerancePasses)
 
 TEST(PictureComparison, OneMoreThanTheChannelToleranceEverywhereFails)
 {
-    EXPECT_TRUE(comparePictures(uniform(320, 240, 100), uniform(320, 240, 105)).same());
-    EXPECT_FALSE(comparePictures(uniform(320, 240, 100), uniform(320, 240, 106)).same());
-    EXPECT_FALSE(comparePictures(uniform(320, 240, 106), uniform(320, 240, 100)).same());
+    // As much up as down: the mean stays.
+    const auto rippled = [](int amplitude) {
+        Image image = uniform(320, 240, 100);
+        for (std::size_t i = 0; i < image.bytes.size(); ++i)
+            image.bytes[i] = static_cast<std::uint8_t>(100 + (i / 3 % 2 == 0 ? amplitude : -amplitude));
+        return image;
+    };
+    EXPECT_TRUE(comparePictures(uniform(320, 240, 100), rippled(5)).same());
+    EXPECT_FALSE(comparePictures(uniform(320, 240, 100), rippled(6)).same());
+}
+
+// Within the tolerance of every pixel, and yet another light.
+TEST(PictureComparison, ALittleDarkerEverywhereFails)
+{
+    const Image golden = textured(320, 240);
+    const int pixels = 320 * 240;
+    EXPECT_FALSE(comparePictures(golden, spoilt(golden, pixels, -1)).same());
+    EXPECT_FALSE(comparePictures(golden, spoilt(golden, pixels / 3, -1)).same());
+    const PictureComparison fifth = comparePictures(golden, spoilt(golden, pixels / 5, -1));
+    EXPECT_TRUE(fifth.same()) << fifth.summary();
+    EXPECT_NEAR(fifth.mean, -0.2, 1e-9);
+    EXPECT_NE(fifth.summary().find("-0.200/255"), std::string::npos) << fifth.summary();
 }
 
 TEST(PictureComparison, ShiftByOnePixelFails)
