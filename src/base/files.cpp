@@ -1,6 +1,7 @@
 #include "base/files.h"
 
 #include "base/error.h"
+#include "base/log.h"
 
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <mutex>
 #include <system_error>
 
 namespace tarn
@@ -109,8 +111,13 @@ void makeFolder(const fs::path& folder)
 
 fs::path projectRoot()
 {
-    if (const char* root = std::getenv("TARN_ROOT"); root && *root) {
-        if (!isRoot(root)) throw Error("TARN_ROOT={}: that folder does not hold shaders/ and assets/", root);
+    for (const char* variable : {"TARN_DATA", "TARN_ROOT"}) {
+        const char* root = std::getenv(variable);
+        if (!root || !*root) continue;
+        if (!isRoot(root)) throw Error("{}={}: that folder does not hold shaders/ and assets/", variable, root);
+        static std::once_flag said;
+        if (std::string_view(variable) == "TARN_ROOT")
+            std::call_once(said, [] { log::warning("TARN_ROOT is now called TARN_DATA"); });
         return root;
     }
     std::error_code error;
@@ -122,7 +129,7 @@ fs::path projectRoot()
     }
     if (isRoot(TARN_SOURCE_ROOT)) return TARN_SOURCE_ROOT;
     throw Error(
-        "the folders shaders/ and assets/ were not found; set TARN_ROOT to the folder that holds them");
+        "the folders shaders/ and assets/ were not found; set TARN_DATA to the folder that holds them");
 }
 
 } // namespace tarn

@@ -22,7 +22,7 @@ void writeFile(const std::filesystem::path& file, std::string_view text);
 /// The folder and those above it, where they are missing. Throws Error when one cannot be made.
 void makeFolder(const std::filesystem::path& folder);
 
-/// The folder that holds shaders/ and assets/: $TARN_ROOT, else found upward from the program, else the source
+/// The folder that holds shaders/ and assets/: $TARN_DATA, else found upward from the program, else the source
 /// folder it was built from. Throws Error when there is none.
 std::filesystem::path projectRoot();
 

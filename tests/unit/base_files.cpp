@@ -90,12 +90,12 @@ TEST(Files, ProjectRootHoldsShadersAndAssets)
 TEST(Files, ProjectRootFromTheEnvironmentMustBeOne)
 {
     const TempFolder folder;
-    ASSERT_EQ(::setenv("TARN_ROOT", folder.path().c_str(), 1), 0);
-    EXPECT_CONTAINS(messageOf<Error>([] { projectRoot(); }), "TARN_ROOT=");
+    ASSERT_EQ(::setenv("TARN_DATA", folder.path().c_str(), 1), 0);
+    EXPECT_CONTAINS(messageOf<Error>([] { projectRoot(); }), "TARN_DATA=");
     fs::create_directories(folder.path() / "shaders");
     fs::create_directories(folder.path() / "assets");
     EXPECT_EQ(projectRoot(), folder.path());
-    ::unsetenv("TARN_ROOT");
+    ::unsetenv("TARN_DATA");
 }
 
 TEST(Log, CaptureCollectsInsteadOfPrinting)
