@@ -5,6 +5,7 @@
 #include "gl/state.h"
 #include "render/bindings.h"
 #include "render/frame_light.h"
+#include "render/renderer.h"
 #include "render/view.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "optics/blocks.h"
 #include "plan/frame_plan.h"
 #include "render/kept.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 #include "render/scene_painter.h"
 
 #include <vector>

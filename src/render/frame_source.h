@@ -3,7 +3,7 @@
 
 #include "gl/framebuffer.h"
 #include "gl/profiler.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 
 #include <atomic>
 #include <memory>
@@ -11,6 +11,8 @@
 #include <vector>
 
 namespace tarn {
+
+class Renderer;
 
 /// All that a frame depends on beside the scene.
 struct FrameRequest {

@@ -5,7 +5,7 @@
 #include "optics/blocks.h"
 #include "plan/frame_plan.h"
 #include "render/passes/sunlight.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 #include "render/update_interval.h"
 
 #include <cstdint>

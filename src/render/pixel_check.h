@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/target.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 
 #include <span>
 

@@ -7,17 +7,14 @@
 //     writeImage("lake.png", renderer.readDisplay());
 #pragma once
 
-#include "plan/frame_plan.h"
 #include "plan/options.h"
-#include "render/debug_view.h"
+#include "render/caustics_map.h"
+#include "render/frame.h"
 #include "render/height_field.h"
-#include "render/sun_views.h"
 #include "scene/scene.h"
 
-#include <atomic>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace tarn {
@@ -32,57 +29,6 @@ class Profiler;
 
 /// The library over projectRoot()/shaders, with the bindings that the passes use.
 std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary();
-
-struct FrameInput {
-    const Camera& camera;  ///< with stereo.output, between the eyes
-    double time = 0.0;     ///< seconds
-    ivec2 size{640, 480};  ///< of the picture, or of one eye's, pixels; both at least 1
-    DebugView view = DebugView::final;
-    /// Scene, water body, camera, time, size and options are those of the last frame: what that drew for the water to
-    /// look up stays, and only the picture is drawn anew. For several debug views of one moment. Of no effect in stereo,
-    /// where what is looked up is the other eye's.
-    bool sameMoment = false;
-    /// From 1: of the samples of a moment that are averaged, the how-many-eth this frame is. It is jittered within a pixel,
-    /// and what is shown is the mean of all so far. Everything else is that of the frames before. 0: this frame alone. Of no
-    /// effect in debug views and in stereo.
-    int sample = 0;
-    /// Looked at between passes: once it is true, render() throws FrameAbandoned. Null: the frame is drawn to its end.
-    const std::atomic<bool>* abandoned = nullptr;
-};
-
-/// Nobody waits for the frame any more. What the renderer shows is undefined until the next one.
-struct FrameAbandoned {};
-
-/// What a frame did. Valid until the next one.
-struct FrameStats {
-    FramePlan plan; ///< in stereo the right eye's
-    struct Pass {
-        std::string name;
-        std::size_t triangles = 0;
-        std::size_t drawCalls = 0;
-    };
-    std::vector<Pass> passes; ///< in the order they began; both eyes' added up
-    std::size_t triangles() const;
-    /// The pass of a name, added where there is none.
-    Pass& of(const std::string& name);
-};
-
-/// Values that no target may hold.
-struct BadPixels {
-    std::string pass; ///< the pass that made them
-    std::size_t nan = 0, infinite = 0, negative = 0;
-    bool any() const { return nan + infinite + negative > 0; }
-};
-
-/// The caustics texture and where it lies: what shaders/passes/scene.frag knows of it.
-struct CausticsMap {
-    CausticsRegion region;   ///< rows from its least z, columns from its least x
-    int edge = 0;            ///< texels
-    std::vector<vec3> light; ///< irradiance relative to the sun's above the water, both through a level area
-    LevelRect water;         ///< beside it no light enters
-    float level = 0.0f;      ///< of the plane that both lie on, m
-    vec3 toSun{0.0f};        ///< towards the sun under water: the light of a point crosses the plane along it
-};
 
 /// Meshes, textures and sky on the graphics card, as a renderer with these options needs them. Keeps a reference to the
 /// scene. A thread of its own may do it, in a context of the same share group (render/frame_thread.h).

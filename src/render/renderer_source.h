@@ -4,6 +4,7 @@
 #include "gl/profiler.h"
 #include "gl/shader_library.h"
 #include "render/frame_source.h"
+#include "render/renderer.h"
 
 #include <memory>
 

@@ -5,7 +5,7 @@
 #include "gl/shader_library.h"
 #include "gl/state.h"
 #include "render/gpu_scene.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 
 #include <map>
 #include <memory>

@@ -2,6 +2,7 @@
 // not leave them as they are.
 #pragma once
 
+#include "render/caustics_map.h"
 #include "render/drawing.h"
 #include "render/passes/caustics.h"
 #include "render/passes/sunlight.h"

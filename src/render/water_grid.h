@@ -6,7 +6,7 @@
 #include "gl/vertex_array.h"
 #include "optics/water_grid.h"
 #include "render/passes/occlusion.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 #include "render/view.h"
 
 #include <vector>

@@ -10,7 +10,7 @@
 #include "gl/vertex_array.h"
 #include "optics/blocks.h"
 #include "plan/options.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 
 #include <map>
 #include <memory>

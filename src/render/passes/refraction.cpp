@@ -1,18 +1,9 @@
 #include "render/passes/refraction.h"
 
 #include "gl/state.h"
+#include "render/depth_format.h"
 
 namespace tarn {
-
-gl::Format glFormat(DepthFormat format)
-{
-    switch (format) {
-    case DepthFormat::depth16: return gl::Format::depth16;
-    case DepthFormat::depth24: return gl::Format::depth24;
-    case DepthFormat::depth32f: return gl::Format::depth32f;
-    }
-    return gl::Format::depth24;
-}
 
 const gl::Target& RefractionPass::draw(ScenePainter& painter, const RefractionOptions& options,
                                        const Inputs& inputs, FrameStats::Pass& stats)

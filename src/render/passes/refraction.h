@@ -26,6 +26,4 @@ private:
     gl::Target target_{"refraction"};
 };
 
-gl::Format glFormat(DepthFormat format);
-
 } // namespace tarn

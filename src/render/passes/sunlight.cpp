@@ -1,7 +1,7 @@
 #include "render/passes/sunlight.h"
 
 #include "gl/state.h"
-#include "render/passes/refraction.h"
+#include "render/depth_format.h"
 
 namespace tarn {
 

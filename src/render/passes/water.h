@@ -8,7 +8,7 @@
 #include "render/normal_map.h"
 #include "render/passes/heights.h"
 #include "render/passes/heights_afloat.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 #include "render/view.h"
 #include "render/water_grid.h"
 
