@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace tarn::imagetest {
 
@@ -97,7 +98,18 @@ std::vector<Group> readCases(const std::filesystem::path& file)
 }
 
 std::filesystem::path goldenFolder() { return TARN_GOLDENS; }
-std::filesystem::path resultFolder() { return TARN_IMAGE_RESULTS; }
+namespace {
+
+std::filesystem::path& results()
+{
+    static std::filesystem::path folder;
+    return folder;
+}
+
+} // namespace
+
+std::filesystem::path resultFolder() { return results(); }
+void setResultFolder(std::filesystem::path folder) { results() = std::move(folder); }
 
 CaseFiles filesOf(const std::string& caseName)
 {

@@ -40,6 +40,8 @@ struct CaseFiles {
 CaseFiles filesOf(const std::string& caseName);
 
 std::filesystem::path goldenFolder();
+/// Of the program that asks: set once, before any other use.
 std::filesystem::path resultFolder();
+void setResultFolder(std::filesystem::path folder);
 
 } // namespace tarn::imagetest
