@@ -120,6 +120,7 @@ void addScene(Flags& flags, SceneArguments& scene)
                 [&scene](const std::string& text, const std::string& flag) {
                     scene.waterLevel = static_cast<float>(parseNumber(text, flag, -1e5, 1e5));
                 });
+    flags.text("--device", "NAME", "What to draw on without a window: part of a name that tarn info lists under devices", scene.device);
 }
 
 void addView(Flags& flags, ViewArguments& view)

@@ -28,7 +28,9 @@ nlohmann::json machineJson()
     try {
         const auto context = gl::makeHeadlessContext({16, 16});
         const gl::Capabilities& limits = gl::capabilities();
-        return {{"renderer", context->renderer()},   {"opengl", context->version()},
+        return {{"devices", gl::headlessDevices()},
+                {"device", context->device()},
+                {"renderer", context->renderer()},   {"opengl", context->version()},
                 {"software", context->isSoftware()}, {"max_texture_size", limits.maxTextureSize},
                 {"max_samples", limits.maxSamples},  {"max_anisotropy", limits.maxAnisotropy},
                 {"workarounds", workaroundsJson()}};

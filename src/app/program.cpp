@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "base/error.h"
+#include "gl/context.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,6 +23,7 @@ int fail(std::string message, int status)
 }
 
 constexpr auto runHeadless = [](const auto& command) {
+    if constexpr (requires { command.scene.device; }) gl::chooseHeadlessDevice(command.scene.device);
     if constexpr (!std::is_same_v<decltype(command), const ViewCommand&>) run(command);
 };
 
@@ -32,6 +34,8 @@ int runProgram(const std::vector<std::string>& arguments, const std::function<vo
     try {
         const Command command = parseCommandLine(arguments);
         if (const auto* viewCommand = std::get_if<ViewCommand>(&command)) {
+            if (!viewCommand->scene.device.empty())
+                throw UsageError("--device is for what draws without a window; a window is on the device of its screen");
             view(*viewCommand);
         } else {
             std::visit(runHeadless, command);

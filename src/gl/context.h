@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tarn::gl
 {
@@ -35,6 +36,8 @@ public:
     std::string renderer() const;
     /// GL_VERSION.
     std::string version() const;
+    /// Of those that headlessDevices() names; "" for a window's.
+    virtual std::string device() const { return ""; }
     /// True when the pictures are made by the CPU (llvmpipe, softpipe, SwiftShader).
     bool isSoftware() const;
 
@@ -55,7 +58,17 @@ private:
 
 /// A context without a window. Throws Error that says what was tried when there is none.
 /// @param size of the framebuffer, which exists with OSMesa only: draw into targets and read those.
+/// On the device that was chosen, or the first that works; a graphics card that does not is a warning.
 std::unique_ptr<Context> makeHeadlessContext(ivec2 size, bool debug = false);
+
+/// What headless contexts can be made on, in the order in which they are tried: "GPU 0 (/dev/dri/renderD128)",
+/// "Mesa surfaceless", "software". OSMesa knows nothing but "software".
+std::vector<std::string> headlessDevices();
+/// For every headless context from now on: a name, or a part of one in any case; "" takes the first that works. Throws Error
+/// when there is none of that name.
+void chooseHeadlessDevice(std::string name);
+/// Whether it chooses this one.
+bool isChosenDevice(const std::string& name);
 
 /// What the current context offers beyond OpenGL 3.3. The 3.3 way must stand beside every use.
 struct Capabilities {

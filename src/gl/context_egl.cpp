@@ -33,12 +33,24 @@ struct Candidate {
     std::string name;
     EGLenum platform;
     void* native;
+    bool isGpu = false;
 };
 
 bool isSoftwareDevice(EGLDeviceEXT device)
 {
     const auto queryString = load<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
     return queryString && hasExtension(queryString(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+}
+
+/// "GPU 0 (/dev/dri/renderD128)", as far as EGL tells; CUDA's devices have no file.
+std::string gpuName(EGLDeviceEXT device, std::ptrdiff_t number)
+{
+    const auto queryString = load<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+    const char* extensions = queryString ? queryString(device, EGL_EXTENSIONS) : nullptr;
+    const char* file = nullptr;
+    if (hasExtension(extensions, "EGL_EXT_device_drm_render_node")) file = queryString(device, EGL_DRM_RENDER_NODE_FILE_EXT);
+    if (!file && hasExtension(extensions, "EGL_EXT_device_drm")) file = queryString(device, EGL_DRM_DEVICE_FILE_EXT);
+    return file ? fmt::format("GPU {} ({})", number, file) : fmt::format("GPU {}", number);
 }
 
 std::vector<EGLDeviceEXT> devices(const char* clientExtensions)
@@ -64,13 +76,13 @@ std::vector<Candidate> candidates()
         std::stable_partition(all.begin(), all.end(), [](EGLDeviceEXT d) { return !isSoftwareDevice(d); });
     std::vector<Candidate> list;
     for (auto gpu = all.begin(); gpu != firstSoftware; ++gpu) {
-        list.push_back({fmt::format("GPU {}", gpu - all.begin()), EGL_PLATFORM_DEVICE_EXT, *gpu});
+        list.push_back({gpuName(*gpu, gpu - all.begin()), EGL_PLATFORM_DEVICE_EXT, *gpu, true});
     }
     if (hasExtension(extensions, "EGL_MESA_platform_surfaceless")) {
         list.push_back({"Mesa surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
     }
     for (auto device = firstSoftware; device != all.end(); ++device) {
-        list.push_back({"software device", EGL_PLATFORM_DEVICE_EXT, *device});
+        list.push_back({"software", EGL_PLATFORM_DEVICE_EXT, *device});
     }
     return list;
 }
@@ -78,7 +90,7 @@ std::vector<Candidate> candidates()
 class EglContext : public Context
 {
 public:
-    EglContext(const Candidate& candidate, ivec2 size, bool debug) : Context("EGL"), size_(size)
+    EglContext(const Candidate& candidate, ivec2 size, bool debug) : Context("EGL"), device_(candidate.name), size_(size)
     {
         open(candidate);
         try {
@@ -93,7 +105,7 @@ public:
 
     /// A context that shares the other's objects, on its display.
     explicit EglContext(const EglContext& other)
-        : Context("EGL"), display_(other.display_), isShared_(true), size_(1)
+        : Context("EGL"), device_(other.device_), display_(other.display_), isShared_(true), size_(1)
     {
         createContext(false, other.context_);
     }
@@ -117,6 +129,7 @@ public:
     std::unique_ptr<Context> makeShared() override { return std::make_unique<EglContext>(*this); }
 
     ivec2 framebufferSize() const override { return size_; }
+    std::string device() const override { return device_; }
 
 private:
     void open(const Candidate& candidate)
@@ -164,6 +177,7 @@ private:
         eglReleaseThread();
     }
 
+    std::string device_;
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
     bool isShared_ = false;
@@ -172,17 +186,30 @@ private:
 
 } // namespace
 
+std::vector<std::string> headlessDevices()
+{
+    std::vector<std::string> names;
+    for (const Candidate& candidate : candidates()) names.push_back(candidate.name);
+    return names;
+}
+
 std::unique_ptr<Context> makeHeadlessContext(ivec2 size, bool debug)
 {
-    std::string tried;
+    std::string tried, brokenGpus;
+    const auto note = [](std::string& list, const Candidate& candidate, const Error& error) {
+        list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", candidate.name, error.what());
+    };
     for (const Candidate& candidate : candidates()) {
+        if (!isChosenDevice(candidate.name)) continue;
         try {
             auto context = std::make_unique<EglContext>(candidate, size, debug);
-            log::debug("EGL: {} gives OpenGL {} on {}", candidate.name, context->version(),
-                       context->renderer());
+            log::debug("EGL: {} gives OpenGL {} on {}", candidate.name, context->version(), context->renderer());
+            if (!brokenGpus.empty())
+                log::warning("a graphics card could not be used ({}): drawing on {}", brokenGpus, context->renderer());
             return context;
         } catch (const Error& error) {
-            tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", candidate.name, error.what());
+            note(tried, candidate, error);
+            if (candidate.isGpu) note(brokenGpus, candidate, error);
         }
     }
     throw Error(

@@ -56,6 +56,7 @@ public:
     std::unique_ptr<Context> makeShared() override { return std::make_unique<OsmesaContext>(context_); }
 
     ivec2 framebufferSize() const override { return size_; }
+    std::string device() const override { return headlessDevices().front(); }
 
 private:
     void create(OSMesaContext other)
@@ -86,6 +87,11 @@ private:
 };
 
 } // namespace
+
+std::vector<std::string> headlessDevices()
+{
+    return {"software"};
+}
 
 std::unique_ptr<Context> makeHeadlessContext(ivec2 size, bool debug)
 {

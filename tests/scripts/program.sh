@@ -20,6 +20,13 @@ test_help() {
     grep -q -- --camera "$work/stdout" || fail "render --help does not name --camera"
 }
 
+test_device() {
+    call 0 info --device soft "$pool"
+    grep -Eq 'device +software' "$work/stdout" || fail "info does not say on what it draws"
+    refuse 1 "there is no device 'abacus' to draw on; there (is|are) .*software" render --device abacus "$pool" --out a.png
+    refuse 2 'without a window' view --device soft "$pool"
+}
+
 test_version() {
     call 0 --version
     grep -Eq '[0-9]+\.[0-9]+\.[0-9]+' "$work/stdout" || fail "--version prints no version"
