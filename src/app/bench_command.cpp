@@ -3,6 +3,7 @@
 #include "app/bench_interactive.h"
 #include "app/commands.h"
 #include "app/machine.h"
+#include "base/memory.h"
 #include "app/plan_report.h"
 #include "app/rendered_subject.h"
 #include "base/error.h"
@@ -153,6 +154,7 @@ void run(const BenchCommand& command)
     json["rules"] = toJson(shares);
     const ProcessMemory memory = processMemory();
     json["memory"] = {{"resident_bytes", memory.resident},
+                      {"file_bytes", memory.files},
                       {"peak_bytes", memory.peak},
                       {"geometry_bytes", session.renderer().geometryBytes()}};
     writeJson(command.json, json);

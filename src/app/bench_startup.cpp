@@ -4,7 +4,9 @@
 #include "app/live_picture.h"
 #include "app/machine.h"
 #include "app/session.h"
+#include "app/spare_memory.h"
 #include "app/startup_times.h"
+#include "base/memory.h"
 #include "gl/context.h"
 
 #include <fmt/format.h>
@@ -79,15 +81,17 @@ std::string toTable(const StartupTimes& times)
 }
 
 /// Until the picture with all settings is there, and then until the programs of all other views are, too.
-void showUntilBuilt(LivePicture& picture, const FrameRequest& request, Bell& bell, Progress& progress)
+void showUntilBuilt(LivePicture& picture, const FrameRequest& request, SpareMemory& spare, Bell& bell, Progress& progress)
 {
     while (!picture.isBuilt()) {
         if (!picture.isFull()) picture.ask(request);
         bell.wait();
         picture.take();
+        spare.release(picture);
         const SharedProgress::State state = picture.progress();
         progress.report(state.fraction, state.what);
     }
+    spare.release(picture);
 }
 
 } // namespace
@@ -104,10 +108,11 @@ void benchStartup(const BenchCommand& command)
     stage = loadStage(command.scene, &progress);
     const Camera camera = chooseCamera(stage.scene, command.view.camera);
     picture.show(stage.scene, stage.settings);
+    SpareMemory spare(stage.scene);
     showUntilBuilt(picture,
                    {camera, command.view.time, command.view.size, DebugView::final, stage.settings.options,
                    stage.settings.water},
-                  bell, progress);
+                   spare, bell, progress);
 
     const ProcessMemory memory = processMemory();
     nlohmann::json json{{"machine", machineText()},
@@ -117,11 +122,15 @@ void benchStartup(const BenchCommand& command)
                         {"scene", stage.scene.file.string()},
                         {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)},
                         {"events", toJson(picture.times())},
-                        {"memory", {{"resident_bytes", memory.resident}, {"peak_bytes", memory.peak}}}};
+                        {"memory",
+                         {{"resident_bytes", memory.resident},
+                          {"file_bytes", memory.files},
+                          {"peak_bytes", memory.peak}}}};
     writeJson(command.json, json);
     if (command.json == "-") return;
     fmt::print("{}, shader cache: {}\n", context->renderer(), cacheText());
-    fmt::print("{}{} MB of memory, {} at most\n", toTable(picture.times()), memory.resident / 1'000'000, memory.peak / 1'000'000);
+    fmt::print("{}{} MB of memory ({} of them of mapped files), {} at most\n", toTable(picture.times()),
+               memory.resident / 1'000'000, memory.files / 1'000'000, memory.peak / 1'000'000);
 }
 
 } // namespace tarn

@@ -17,17 +17,4 @@ std::string machineText()
     return fmt::format("{} threads", threads);
 }
 
-ProcessMemory processMemory()
-{
-    ProcessMemory memory;
-    std::ifstream file("/proc/self/status"); // proc(5)
-    std::string name, unit;
-    for (std::size_t kibibytes = 0; file >> name;) {
-        if (name == "VmRSS:" && file >> kibibytes) memory.resident = 1024 * kibibytes;
-        if (name == "VmHWM:" && file >> kibibytes) memory.peak = 1024 * kibibytes;
-        std::getline(file, unit);
-    }
-    return memory;
-}
-
 } // namespace tarn

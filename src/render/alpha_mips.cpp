@@ -4,6 +4,8 @@
 #include "optics/optics.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace tarn {
 
@@ -51,62 +54,80 @@ struct Part {
     std::vector<double> weights;
 };
 
-Part partOf(int index, int size, int sourceSize)
+std::vector<Part> partsOf(int size, int sourceSize)
 {
     const double scale = static_cast<double>(sourceSize) / size;
-    const double from = index * scale, to = (index + 1) * scale;
-    Part part{static_cast<int>(from), {}};
-    for (int i = part.first; i < sourceSize && i < to - 1e-9; ++i)
-        part.weights.push_back(std::min(to, i + 1.0) - std::max(from, static_cast<double>(i)));
-    return part;
+    std::vector<Part> parts;
+    for (int index = 0; index < size; ++index) {
+        const double from = index * scale, to = (index + 1) * scale;
+        Part part{static_cast<int>(from), {}};
+        for (int i = part.first; i < sourceSize && i < to - 1e-9; ++i)
+            part.weights.push_back(std::min(to, i + 1.0) - std::max(from, static_cast<double>(i)));
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+constexpr std::size_t mostChannels = 4;
+
+/// The mean of a part of the source, into `texel`: colours weighted by alpha where there is some.
+void average(const Level& source, const Part& rows, const Part& columns, std::size_t alphaChannel, float* texel)
+{
+    const auto channels = static_cast<std::size_t>(source.channels);
+    std::array<double, mostChannels> plain{}, weighted{};
+    double total = 0.0, totalAlpha = 0.0;
+    for (std::size_t j = 0; j < rows.weights.size(); ++j) {
+        const float* from = &source.values[source.first(columns.first, rows.first + static_cast<int>(j))];
+        for (std::size_t i = 0; i < columns.weights.size(); ++i, from += channels) {
+            const double weight = rows.weights[j] * columns.weights[i];
+            const double alpha = weight * static_cast<double>(from[alphaChannel]);
+            total += weight;
+            totalAlpha += alpha;
+            for (std::size_t c = 0; c < channels; ++c) {
+                plain[c] += weight * static_cast<double>(from[c]);
+                weighted[c] += alpha * static_cast<double>(from[c]);
+            }
+        }
+    }
+    for (std::size_t c = 0; c < channels; ++c) {
+        const bool isPlain = c == alphaChannel || totalAlpha <= 1e-9;
+        texel[c] = static_cast<float>(isPlain ? plain[c] / total : weighted[c] / totalAlpha);
+    }
+}
+
+/// Of a level's rows, a few at once.
+template <typename Work> void forEachRow(const Level& level, const Work& work)
+{
+    tbb::parallel_for(tbb::blocked_range<int>(0, level.height, 16), [&](const tbb::blocked_range<int>& rows) {
+        for (int y = rows.begin(); y != rows.end(); ++y) work(y);
+    });
 }
 
 Level halved(const Level& source, int alphaChannel)
 {
     Level level{std::max(source.width / 2, 1), std::max(source.height / 2, 1), source.channels, {}};
-    const auto channels = static_cast<std::size_t>(source.channels);
-    level.values.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) * channels);
-    std::vector<double> plain(channels), weighted(channels);
-    for (int y = 0; y < level.height; ++y) {
-        const Part rows = partOf(y, level.height, source.height);
-        for (int x = 0; x < level.width; ++x) {
-            const Part columns = partOf(x, level.width, source.width);
-            std::fill(plain.begin(), plain.end(), 0.0);
-            std::fill(weighted.begin(), weighted.end(), 0.0);
-            double total = 0.0, totalAlpha = 0.0;
-            for (std::size_t j = 0; j < rows.weights.size(); ++j) {
-                for (std::size_t i = 0; i < columns.weights.size(); ++i) {
-                    const float* texel = &source.values[source.first(columns.first + static_cast<int>(i),
-                                                                             rows.first + static_cast<int>(j))];
-                    const double weight = rows.weights[j] * columns.weights[i];
-                    const double alpha = weight * static_cast<double>(texel[alphaChannel]);
-                    total += weight;
-                    totalAlpha += alpha;
-                    for (std::size_t c = 0; c < channels; ++c) {
-                        plain[c] += weight * static_cast<double>(texel[c]);
-                        weighted[c] += alpha * static_cast<double>(texel[c]);
-                    }
-                }
-            }
-            float* texel = &level.values[level.first(x, y)];
-            for (std::size_t c = 0; c < channels; ++c) {
-                const bool isAlpha = static_cast<int>(c) == alphaChannel;
-                const double mean = isAlpha || totalAlpha <= 1e-9 ? plain[c] / total : weighted[c] / totalAlpha;
-                texel[c] = static_cast<float>(mean);
-            }
+    level.values.resize(level.first(0, level.height));
+    const std::vector<Part> rows = partsOf(level.height, source.height), columns = partsOf(level.width, source.width);
+    forEachRow(level, [&](int y) {
+        float* texel = &level.values[level.first(0, y)];
+        for (const Part& column : columns) {
+            average(source, rows[static_cast<std::size_t>(y)], column, static_cast<std::size_t>(alphaChannel), texel);
+            texel += level.channels;
         }
-    }
+    });
     return level;
 }
 
 Image encoded(const Level& level, const CutOut& cutOut, double alphaScale, const std::string& name)
 {
     Image image{name, level.width, level.height, level.channels, std::vector<std::uint8_t>(level.values.size()), {}};
-    for (std::size_t i = 0; i < level.values.size(); ++i) {
-        const bool isAlpha = static_cast<int>(i % static_cast<std::size_t>(level.channels)) == cutOut.channel;
-        const double value = static_cast<double>(level.values[i]);
-        image.bytes[i] = toByte(isAlpha ? alphaScale * value : cutOut.isSrgb ? optics64::srgbFromLinear(value) : value);
-    }
+    forEachRow(level, [&](int y) {
+        for (std::size_t i = level.first(0, y); i < level.first(0, y + 1); ++i) {
+            const bool isAlpha = static_cast<int>(i % static_cast<std::size_t>(level.channels)) == cutOut.channel;
+            const double value = static_cast<double>(level.values[i]);
+            image.bytes[i] = toByte(isAlpha ? alphaScale * value : cutOut.isSrgb ? optics64::srgbFromLinear(value) : value);
+        }
+    });
     return image;
 }
 
@@ -177,7 +198,8 @@ double coverageOf(const Image& image, const CutOut& cutOut)
 
 std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut, CutOutLevels kind)
 {
-    if (image.isFloat() || cutOut.channel < 0 || cutOut.channel >= image.channels)
+    const bool hasChannel = cutOut.channel >= 0 && cutOut.channel < image.channels;
+    if (image.isFloat() || !hasChannel || image.channels > static_cast<int>(mostChannels))
         throw Error("{}: no 8-bit alpha to cut out by", image.name);
     const double coverage = coverageOf(image, cutOut);
     std::vector<Image> levels;

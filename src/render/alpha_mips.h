@@ -28,7 +28,7 @@ enum class CutOutLevels {
 /// The levels below the picture itself, the largest first, the last of 1 x 1: each half as wide and high as the one
 /// before, rounded down. Colours are means weighted by alpha, so that what is cut away does not bleed in.
 ///
-/// Needs bytes; throws Error for a picture of floats or without the channel.
+/// Needs bytes; throws Error for a picture of floats or without the channel. Works on every core.
 std::vector<Image> cutOutMips(const Image& image, const CutOut& cutOut, CutOutLevels levels);
 
 /// The same; what the cache has for the same picture and cut-out is taken from there, and what it has not is added.

@@ -5,6 +5,7 @@
 #include "render/normal_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -82,32 +83,10 @@ bool GpuScene::wantDetail(Progress* progress)
     return true;
 }
 
-void GpuScene::uploadTextures(Progress* progress)
-{
-    std::vector<std::pair<int, MapUse>> wanted;
-    const auto want = [&wanted](int image, MapUse use) {
-        if (image != noImage) wanted.emplace_back(image, use);
-    };
-    for (const Material& material : scene_.materials) {
-        want(material.diffuseMap, MapUse::colour);
-        want(material.emissiveMap, MapUse::colour);
-        want(material.alphaMap, MapUse::data);
-        want(material.normalMap, MapUse::data);
-    }
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const auto [image, use] = wanted[i];
-        if (progress)
-            progress->report(static_cast<double>(i) / static_cast<double>(wanted.size()),
-                             "uploading " + scene_.images[static_cast<std::size_t>(image)].name);
-        if (!textures_.contains(wanted[i]))
-            textures_.emplace(wanted[i], uploaded(image, use, CutOutLevels::covering));
-    }
-}
-
 namespace {
 
 /// OpenGL's first row is the lowest; a picture file's is the highest.
-template <typename T> std::vector<T> bottomUp(const std::vector<T>& values, int width, int height, int channels)
+template <typename T> std::vector<T> upsideDown(const std::vector<T>& values, int width, int height, int channels)
 {
     const std::size_t row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
     std::vector<T> flipped(values.size());
@@ -126,6 +105,14 @@ template <typename T> std::vector<T> spreadGrey(const std::vector<T>& grey)
     return rgb;
 }
 
+/// The channels that are not in the picture but in the texture, which has one only where nothing else is read.
+template <typename T> void uploadLevel(gl::Texture& texture, const Image& image, const std::vector<T>& values, int level)
+{
+    const auto rows = upsideDown(values, image.width, image.height, image.channels);
+    const bool spreads = image.channels == 1 && gl::channelCount(texture.format()) > 1;
+    texture.upload(std::span<const T>(spreads ? spreadGrey(rows) : rows), spreads ? 3 : image.channels, 0, level);
+}
+
 /// How a picture cuts surfaces out, where a material tests alpha by it.
 std::optional<CutOut> cutOutOf(const Scene& scene, int index, bool isColour)
 {
@@ -140,62 +127,96 @@ std::optional<CutOut> cutOutOf(const Scene& scene, int index, bool isColour)
     return std::nullopt;
 }
 
-} // namespace
+/// The picture that an 8-bit texture was made of; the scene may have released it.
+Image pictureOf(const gl::Texture& texture)
+{
+    const std::vector<float> values = texture.readBack();
+    Image image{texture.label(), texture.size().x, texture.size().y, gl::channelCount(texture.format()), {}, {}};
+    std::vector<std::uint8_t> bytes(values.size());
+    std::transform(values.begin(), values.end(), bytes.begin(),
+                   [](float value) { return static_cast<std::uint8_t>(std::lround(255.0f * value)); });
+    image.bytes = upsideDown(bytes, image.width, image.height, image.channels);
+    return image;
+}
 
 constexpr std::uintmax_t mostCachedBytes = 64 << 20; // the lake's take 8 MB
 
-gl::Texture GpuScene::uploaded(int index, MapUse use, CutOutLevels levels) const
+void uploadCutOutLevels(gl::Texture& texture, const Image& image, const CutOut& cutOut, CutOutLevels kind)
 {
-    const Image& image = scene_.images[static_cast<std::size_t>(index)];
+    const DiskCache cache(cacheFolder() / "mip-levels", mostCachedBytes);
+    int level = 0;
+    for (const Image& smaller : cutOutMips(image, cutOut, kind, cache)) uploadLevel(texture, smaller, smaller.bytes, ++level);
+}
+
+} // namespace
+
+void GpuScene::uploadTextures(Progress* progress)
+{
+    std::vector<TextureKey> wanted;
+    const auto want = [&wanted](int image, MapUse use) {
+        if (image != noImage) wanted.emplace_back(image, use);
+    };
+    for (const Material& material : scene_.materials) {
+        want(material.diffuseMap, MapUse::colour);
+        want(material.emissiveMap, MapUse::colour);
+        want(material.alphaMap, MapUse::data);
+        want(material.normalMap, MapUse::data);
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const auto [index, use] = wanted[i];
+        const Image& image = scene_.images[static_cast<std::size_t>(index)];
+        if (progress)
+            progress->report(static_cast<double>(i) / static_cast<double>(wanted.size()), "uploading " + image.name);
+        if (textures_.contains(wanted[i])) continue;
+        MapTexture map{uploaded(image, use), cutOutOf(scene_, index, use == MapUse::colour), {}};
+        if (map.cutOut) uploadCutOutLevels(map.texture, image, *map.cutOut, CutOutLevels::covering);
+        else map.texture.generateMipmaps();
+        textures_.emplace(wanted[i], std::move(map));
+    }
+}
+
+/// The largest level; the others are there, and undefined.
+gl::Texture GpuScene::uploaded(const Image& image, MapUse use) const
+{
     gl::TextureDesc desc;
     desc.size = {image.width, image.height};
     desc.mipmaps = true;
     desc.wrap = gl::Wrap::repeat;
     desc.anisotropy = anisotropy_;
     if (image.isFloat()) desc.format = gl::Format::rgba16f;
-    else desc.format = use == MapUse::colour ? gl::Format::srgb8a8 : gl::Format::rgba8;
+    else if (use == MapUse::colour) desc.format = gl::Format::srgb8a8;
+    else desc.format = image.channels == 1 ? gl::Format::r8 : gl::Format::rgba8;
 
     gl::Texture texture(desc, image.name);
-    const int channels = image.channels == 1 ? 3 : image.channels;
-    if (image.isFloat()) {
-        const auto rows = bottomUp(image.floats, image.width, image.height, image.channels);
-        texture.upload(std::span<const float>(image.channels == 1 ? spreadGrey(rows) : rows), channels);
-    } else {
-        const auto rows = bottomUp(image.bytes, image.width, image.height, image.channels);
-        texture.upload(std::span<const std::uint8_t>(image.channels == 1 ? spreadGrey(rows) : rows), channels);
-    }
-    if (const std::optional<CutOut> cutOut = cutOutOf(scene_, index, use == MapUse::colour)) {
-        const DiskCache cache(cacheFolder() / "mip-levels", mostCachedBytes);
-        int level = 0;
-        for (const Image& small : cutOutMips(image, *cutOut, levels, cache)) {
-            const auto rows = bottomUp(small.bytes, small.width, small.height, small.channels);
-            texture.upload(std::span<const std::uint8_t>(small.channels == 1 ? spreadGrey(rows) : rows), channels, 0, ++level);
-        }
-    } else {
-        texture.generateMipmaps();
-    }
+    if (image.isFloat()) uploadLevel(texture, image, image.floats, 0);
+    else uploadLevel(texture, image, image.bytes, 0);
     return texture;
 }
 
 void GpuScene::setAnisotropy(float anisotropy)
 {
     anisotropy_ = anisotropy;
-    for (auto* textures : {&textures_, &shares_})
-        for (auto& [key, texture] : *textures) texture.setAnisotropy(anisotropy);
+    for (auto& [key, map] : textures_) {
+        map.texture.setAnisotropy(anisotropy);
+        if (map.shares) map.shares.setAnisotropy(anisotropy);
+    }
     if (waterNormals_) waterNormals_.setAnisotropy(anisotropy);
 }
 
 void GpuScene::wantShares()
 {
-    for (const auto& [key, texture] : textures_)
-        if (!shares_.contains(key) && cutOutOf(scene_, key.first, key.second == MapUse::colour))
-            shares_.emplace(key, uploaded(key.first, key.second, CutOutLevels::shares));
+    for (auto& [key, map] : textures_) {
+        if (!map.cutOut || map.shares) continue;
+        const Image image = pictureOf(map.texture);
+        map.shares = uploaded(image, key.second);
+        uploadCutOutLevels(map.shares, image, *map.cutOut, CutOutLevels::shares);
+    }
 }
 
 const gl::Texture& GpuScene::shares(int image, MapUse use) const
 {
-    const auto found = shares_.find({image, use});
-    return found != shares_.end() ? found->second : texture(image, use);
+    const MapTexture& map = textures_.at({image, use});
+    return map.shares ? map.shares : map.texture;
 }
 
 namespace {

@@ -1,5 +1,9 @@
 // A scene in the graphics card's memory: meshes, textures, and the baked sky. Made once per scene, for all contexts that
 // share what they hold.
+//
+// It refers to the Scene for as long as it lives, but reads the texels of Scene::images in its constructor only: whoever
+// owns the scene may release them afterwards (releaseTexels() in scene/scene.h). Meshes stay in both memories, for levels
+// of detail and for what the plan asks of the triangles.
 #pragma once
 
 #include "gl/buffer.h"
@@ -12,6 +16,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +46,7 @@ public:
 
     /// How a map's values are meant: colours are sRGB-encoded, the rest is linear.
     enum class MapUse { colour, data };
-    const gl::Texture& texture(int image, MapUse use) const { return textures_.at({image, use}); }
+    const gl::Texture& texture(int image, MapUse use) const { return textures_.at({image, use}).texture; }
     /// The same; a cut-out's smaller levels hold shares (render/alpha_mips.h). Only after wantShares().
     const gl::Texture& shares(int image, MapUse use) const;
     /// Uploads what shares() gives, once.
@@ -62,7 +67,7 @@ private:
     void uploadMeshes();
     void uploadIndices(std::size_t mesh, const std::vector<std::uint32_t>& further);
     void uploadTextures(Progress* progress);
-    gl::Texture uploaded(int image, MapUse use, CutOutLevels levels) const;
+    gl::Texture uploaded(const Image& image, MapUse use) const;
     void bakeSky();
 
     const Scene& scene_;
@@ -72,9 +77,13 @@ private:
     std::size_t geometryBytes_ = 0;
     SkyModel sky_;
     std::vector<MeshBuffers> meshes_;
+    struct MapTexture {
+        gl::Texture texture;
+        std::optional<CutOut> cutOut; ///< how materials that test alpha by it cut surfaces out, or nothing
+        gl::Texture shares;           ///< of a cut-out; empty until they are wanted
+    };
     using TextureKey = std::pair<int, MapUse>;
-    std::map<TextureKey, gl::Texture> textures_;
-    std::map<TextureKey, gl::Texture> shares_; ///< of cut-outs; empty until they are wanted
+    std::map<TextureKey, MapTexture> textures_;
     float anisotropy_;
     gl::Texture skyMap_;
     gl::Texture waterNormals_;

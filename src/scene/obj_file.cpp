@@ -4,7 +4,6 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "scene/mesh_build.h"
-#include "scene/obj_scan.h"
 #include "scene/text_scan.h"
 
 #include <tiny_obj_loader.h>
@@ -140,19 +139,6 @@ void cleanUp(MeshSource& source)
         if (corner.normal >= 0 && !usable[static_cast<std::size_t>(corner.normal)]) corner.normal = -1;
 }
 
-/// The last material of the scene, for faces whose own is missing; only when there are such.
-void addGreyIfUsed(Scene& scene, const MeshSource& source)
-{
-    const auto grey = static_cast<std::int32_t>(scene.materials.size());
-    const bool used = std::any_of(source.faces.begin(), source.faces.end(),
-                                  [&](const MeshSource::Face& face) { return face.material == grey; });
-    if (!used) return;
-    Material material;
-    material.name = "grey";
-    material.fromModel = true;
-    scene.materials.push_back(material);
-}
-
 void warnOfUnknown(const ObjScan& scan, const MaterialNames& indexOf, const fs::path& file)
 {
     for (const auto& [name, line] : scan.materialLines) {
@@ -163,34 +149,52 @@ void warnOfUnknown(const ObjScan& scan, const MaterialNames& indexOf, const fs::
 
 } // namespace
 
-Mesh readObj(const fs::path& file, Scene& scene, MtlLibrary& libraries, int material)
-{
-    ObjScan scan = scanObj(readFile(file), file);
-    MaterialNames indexOf;
-    int fallback = material;
-    if (material < 0) {
-        for (const auto& library : scan.libraries)
-            readLibrary(file, library, libraries, indexOf);
-        warnOfUnknown(scan, indexOf, file);
-        fallback = static_cast<int>(scene.materials.size());
-    }
+ObjFile::ObjFile(const fs::path& file) : file_(file), scan_(scanObj(readFile(file), file)) {}
 
-    Collector collector(scan, indexOf, fallback);
-    MemoryStream stream(scan.text);
+void ObjFile::findMaterials(MtlLibrary& libraries, int material)
+{
+    if (material >= 0) {
+        fallback_ = material;
+        return;
+    }
+    for (const auto& library : scan_.libraries)
+        readLibrary(file_, library, libraries, indexOf_);
+    warnOfUnknown(scan_, indexOf_, file_);
+}
+
+Mesh ObjFile::build()
+{
+    Collector collector(scan_, indexOf_, fallback_);
+    MemoryStream stream(scan_.text);
     std::string warning, error;
     if (!tinyobj::LoadObjWithCallback(stream, collector.callbacks(), &collector, nullptr, &warning, &error))
-        throw Error("{}: cannot be read ({})", file.string(), error);
+        throw Error("{}: cannot be read ({})", file_.string(), error);
 
     MeshSource& source = collector.source;
-    source.colours = std::move(scan.colours);
-    scan.text = {};
+    source.colours = std::move(scan_.colours);
+    scan_.text = {};
     cleanUp(source);
     computeNormals(source);
     triangulate(source);
     if (source.faces.empty())
-        throw Error("{}: nothing to draw, every face has fewer than three different corners", file.string());
-    if (material < 0) addGreyIfUsed(scene, source);
-    return buildMesh(source, file.stem().string());
+        throw Error("{}: nothing to draw, every face has fewer than three different corners", file_.string());
+    return buildMesh(source, file_.stem().string());
+}
+
+void addGrey(Mesh& mesh, Scene& scene)
+{
+    const auto grey = static_cast<int>(scene.materials.size());
+    bool isUsed = false;
+    for (MeshPart& part : mesh.parts) {
+        if (part.material != missingMaterial) continue;
+        part.material = grey;
+        isUsed = true;
+    }
+    if (!isUsed) return;
+    Material material;
+    material.name = "grey";
+    material.fromModel = true;
+    scene.materials.push_back(material);
 }
 
 } // namespace tarn

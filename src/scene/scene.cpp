@@ -87,6 +87,14 @@ std::vector<Instance> flatten(const Scene& scene)
     return instances;
 }
 
+void releaseTexels(Scene& scene)
+{
+    for (Image& image : scene.images) {
+        image.bytes = {};
+        image.floats = {};
+    }
+}
+
 Bounds worldBounds(const Scene& scene)
 {
     Bounds bounds;

@@ -215,6 +215,10 @@ struct Scene {
     const Camera* findCamera(std::string_view cameraName) const;
 };
 
+/// Frees the texels of all images; names, sizes and channels stay. For the owner of a scene that is drawn from the graphics
+/// card's memory. What reads texels itself needs the scene whole: another upload, the reference.
+void releaseTexels(Scene& scene);
+
 /// A mesh placed in the world.
 struct Instance {
     int mesh = -1;

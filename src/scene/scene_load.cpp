@@ -10,8 +10,16 @@
 #include "scene/scene_toml.h"
 #include "scene/textures.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cctype>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tarn
 {
@@ -33,19 +41,91 @@ int materialIndex(const Scene& scene, const std::string& name)
     return found == scene.materials.end() ? -1 : static_cast<int>(found - scene.materials.begin());
 }
 
+/// What the models' files give, side by side on every core.
+class ModelFiles
+{
+public:
+    ModelFiles(const Scene& scene, Progress* progress) : scene_(scene), progress_(progress), states_(scene.models.size()) {}
+
+    void readTexts()
+    {
+        forEach("reading ", [&](State& state, const Model& model) {
+            state.file = std::make_unique<ObjFile>(scene_.file.parent_path() / model.file);
+        });
+    }
+
+    /// One after the other: models share libraries.
+    void findMaterials(MtlLibrary& libraries)
+    {
+        for (std::size_t i = 0; i < states_.size(); ++i) {
+            const Model& model = scene_.models[i];
+            if (states_[i].problem) continue;
+            states_[i].file->findMaterials(libraries, model.material.empty() ? -1 : materialIndex(scene_, model.material));
+        }
+    }
+
+    void buildMeshes()
+    {
+        forEach("building ", [](State& state, const Model& model) {
+            state.mesh = state.file->build();
+            state.mesh.name = model.name;
+            state.file.reset();
+        });
+    }
+
+    /// Throws what went wrong with the model's file.
+    Mesh take(std::size_t model)
+    {
+        if (states_[model].problem) std::rethrow_exception(states_[model].problem);
+        return std::move(states_[model].mesh);
+    }
+
+private:
+    struct State {
+        std::unique_ptr<ObjFile> file;
+        Mesh mesh;
+        std::exception_ptr problem;
+    };
+
+    /// Each of the two goes through a quarter of the bar; pictures have the rest.
+    template <typename Step> void forEach(const std::string& what, const Step& step)
+    {
+        tbb::parallel_for(std::size_t{0}, states_.size(), [&](std::size_t i) {
+            State& state = states_[i];
+            if (state.problem) return;
+            try {
+                step(state, scene_.models[i]);
+            } catch (...) {
+                state.problem = std::current_exception();
+            }
+            const std::lock_guard lock(reporting_);
+            ++done_;
+            report(progress_, 0.25 * static_cast<double>(done_) / static_cast<double>(states_.size()),
+                   what + scene_.models[i].file.filename().string());
+        });
+    }
+
+    const Scene& scene_;
+    Progress* progress_;
+    std::vector<State> states_;
+    std::mutex reporting_;
+    std::size_t done_ = 0;
+};
+
 /// Models that cannot be read are left out with a warning while something else is left to draw.
 void readModels(Scene& scene, TextureQueue& textures, Progress* progress)
 {
     MtlLibrary libraries(scene, textures);
+    ModelFiles files(scene, progress);
+    files.readTexts();
+    files.findMaterials(libraries);
+    files.buildMeshes();
     std::string firstProblem;
     for (std::size_t i = 0; i < scene.models.size(); ++i) {
         Model& model = scene.models[i];
-        report(progress, 0.5 * static_cast<double>(i) / static_cast<double>(scene.models.size()),
-               "reading " + model.file.filename().string());
-        const int material = model.material.empty() ? -1 : materialIndex(scene, model.material);
         try {
-            Mesh mesh = readObj(scene.file.parent_path() / model.file, scene, libraries, material);
-            mesh.name = model.name;
+            Mesh mesh = files.take(i);
+            addGrey(mesh, scene);
             model.mesh = static_cast<int>(scene.meshes.size());
             scene.meshes.push_back(std::move(mesh));
         } catch (const Error& problem) {

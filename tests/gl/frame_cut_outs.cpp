@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace tarn::test {
 
@@ -85,6 +87,38 @@ TEST(FrameCutOuts, OneTestForAPixelKnowsNoShares)
     const double through = meanThrough(layersOver(1, 0.2), options);
     EXPECT_GT(std::abs(through - 0.8), 0.03);
     EXPECT_GT(std::abs(meanThrough(layersOver(2, 0.2), options) - 0.64), 0.03);
+}
+
+// A scene's texels are read while it is uploaded, and never again: not for the shares either, which are wanted later.
+TEST(FrameCutOuts, AreDrawnAlikeWhenTheSceneHasReleasedItsTexels)
+{
+    Camera camera;
+    camera.eye = vec3(0.0f, 40.0f, 0.0f);
+    camera.target = vec3(0.0f, 0.0f, -0.001f);
+    Options one, four;
+    one.frame.scale = 1.0f;
+    four.frame.scale = 4.0f;
+    for (const bool isAlphaMap : {false, true}) {
+        Scene whole = layersOver(2, 0.4);
+        if (isAlphaMap) { // of one channel, as loading makes it
+            Material& leaf = whole.materials.back();
+            std::swap(leaf.alphaMap, leaf.diffuseMap);
+            Image& dots = whole.images.front();
+            for (std::size_t i = 0; 4 * i < dots.bytes.size(); ++i) dots.bytes[i] = dots.bytes[4 * i + 3];
+            dots.channels = 1;
+            dots.bytes.resize(dots.size());
+        }
+        Scene released = whole;
+        Studio expected(whole, one), studio(released, one);
+        releaseTexels(released);
+        EXPECT_EQ(studio.linear(camera, pictureSize).floats, expected.linear(camera, pictureSize).floats);
+        expected.setOptions(four, whole.water);
+        studio.setOptions(four, released.water);
+        const std::vector<float> shares = studio.linear(camera, pictureSize).floats;
+        EXPECT_EQ(shares, expected.linear(camera, pictureSize).floats);
+        Studio anew(whole, four);
+        EXPECT_EQ(shares, anew.linear(camera, pictureSize).floats);
+    }
 }
 
 } // namespace tarn::test

@@ -2,6 +2,7 @@
 #include "gl_test.h"
 
 #include "app/live_picture.h"
+#include "app/spare_memory.h"
 #include "base/error.h"
 #include "gl/api.h"
 #include "render/gpu_scene.h"
@@ -120,6 +121,29 @@ TEST(LivePicture, EndsWithThePictureThatARendererDraws)
         picture.take();
         return picture.isBuilt();
     })) << "the rest of the programs is built while nobody asks for a frame";
+}
+
+TEST(LivePicture, NeedsNoTexelsOnceTheSceneIsUploaded)
+{
+    Scene scene = pond();
+    scene.images.push_back({"planks", 2, 1, 3, {200, 20, 20, 20, 200, 20}, {}});
+    scene.materials.front().diffuseMap = 0;
+    const FrameRequest request = requestOf(scene);
+    const std::vector<std::uint8_t> expected = plainBytes(scene, request);
+    SpareMemory spare(scene);
+    LivePicture picture(testContext(), [] {});
+    spare.release(picture);
+    EXPECT_FALSE(scene.images.front().bytes.empty()) << "nothing is uploaded yet";
+    picture.show(scene, {request.options, request.water});
+    ASSERT_TRUE(becomes([&] {
+        picture.ask(request);
+        picture.take();
+        spare.release(picture);
+        return picture.isFull();
+    }));
+    EXPECT_TRUE(scene.images.front().bytes.empty());
+    EXPECT_EQ(scene.images.front().size(), 6u);
+    EXPECT_EQ(bytesOf(picture), expected);
 }
 
 TEST(LivePicture, EndsWhileProgramsAreBuilt)

@@ -294,7 +294,8 @@ test_json() {
     grep -q '^full costs .* x planned' "$work/stdout" || fail "bench --rules does not compare the full frame"
     grep -q 'cull_chunks  *3 of 3' "$work/stdout" || fail "bench --rules does not tell how often a rule applied"
     grep -q '"total_wall"' d.json || fail "bench's JSON lacks the ratio of the whole flight"
-    grep -q '"geometry_bytes": [1-9]' b.json && grep -q '"resident_bytes": [1-9]' b.json ||
+    grep -q '"geometry_bytes": [1-9]' b.json && grep -q '"resident_bytes": [1-9]' b.json &&
+        grep -q '"file_bytes": [1-9]' b.json ||
         fail "bench's JSON does not tell the memory"
     call 0 bench "$pool" --size 32x24 --frames 2 --yardstick --json y.json
     grep -q '^dry: .* x yardstick' "$work/stdout" || fail "bench --yardstick does not tell the frame in yardsticks"

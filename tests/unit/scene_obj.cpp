@@ -357,5 +357,38 @@ TEST_F(ObjTest, ProgressRunsToTheEnd)
     EXPECT_EQ(progress.state().fraction, 1.0);
 }
 
+// Files are read side by side: what comes of them stands in the order of the models, whichever is done first.
+TEST_F(ObjTest, ManyModelsKeepTheirOrderAndTheirMaterials)
+{
+    folder.file("m.mtl", "newmtl red\nKd 1 0 0\n");
+    std::string text;
+    constexpr int count = 12;
+    for (int i = 0; i < count; ++i) {
+        // Every third is without materials, so grey; every fifth is not there.
+        const std::string model = fmt::format("v 0 0 {0}\nv 1 0 {0}\nv 1 1 {0}\n", i) +
+                                  (i % 3 == 0 ? "" : "mtllib m.mtl\nusemtl red\n") + "f 1 2 3\n";
+        if (i % 5 != 4) folder.file(fmt::format("{}.obj", i), model);
+        text += fmt::format("[[models]]\nname = 'm{0}'\nfile = '{0}.obj'\n", i);
+    }
+    const Scene scene = loadScene(folder.file("many.toml", text));
+    std::size_t next = 0;
+    for (int i = 0; i < count; ++i) {
+        const Model& model = scene.models[static_cast<std::size_t>(i)];
+        if (i % 5 == 4) {
+            EXPECT_EQ(model.mesh, -1);
+            EXPECT_TRUE(log.contains(fmt::format("drawn without the model 'm{}'", i)));
+            continue;
+        }
+        ASSERT_EQ(model.mesh, static_cast<int>(next++));
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(model.mesh)];
+        EXPECT_EQ(mesh.name, model.name);
+        EXPECT_FLOAT_EQ(mesh.bounds.lower.z, static_cast<float>(i));
+        ASSERT_EQ(mesh.parts.size(), 1u);
+        ASSERT_LT(static_cast<std::size_t>(mesh.parts[0].material), scene.materials.size());
+        EXPECT_EQ(scene.materials[static_cast<std::size_t>(mesh.parts[0].material)].name, i % 3 == 0 ? "grey" : "red");
+    }
+    EXPECT_EQ(scene.meshes.size(), next);
+}
+
 } // namespace
 } // namespace tarn::test

@@ -90,6 +90,7 @@ void Viewer::showPicture(ivec2 size)
     ask();
     const bool isNew = picture_.take();
     if (isNew) noteDrawn();
+    spare_.release(picture_);
     measure();
     sayScreenshot();
     const double now = lastFrame_;

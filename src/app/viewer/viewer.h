@@ -3,6 +3,7 @@
 
 #include "app/command_line.h"
 #include "app/live_picture.h"
+#include "app/spare_memory.h"
 #include "app/stage.h"
 #include "app/viewer/comparison.h"
 #include "app/viewer/fly_camera.h"
@@ -79,6 +80,7 @@ private:
     Stage stage_;
     Settings startSettings_;
     std::unique_ptr<Comparison> comparison_; ///< null: no reference was named
+    SpareMemory spare_{stage_.scene};
     LivePicture picture_;
     std::optional<GovernedSettings> governed_; ///< once the scene is there
     GovernedSettings::Part part_;    ///< of the frame that is asked for
