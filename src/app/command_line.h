@@ -162,6 +162,7 @@ struct DisparityCommand {
 
 struct OptionsCommand {
     std::string json;
+    bool markdown = false;
 };
 
 struct InfoCommand {
@@ -169,7 +170,7 @@ struct InfoCommand {
     std::string json;
 };
 
-/// --help and --version.
+/// --help, --version and --describe.
 struct PrintCommand {
     std::string text;
 };
