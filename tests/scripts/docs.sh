@@ -71,4 +71,22 @@ test_docs_usage() {
     refuse 1 'nowhere/tarn.*--program' --check --program nowhere/tarn
 }
 
+# A page of figures with date, machine, commit and the commands that made it.
+test_measurements_write_their_page() {
+    tarn=$project/tools/measurements
+    refuse 2 'usage' --cmaeras above
+    refuse 1 'no such folder' --out nowhere/m.md
+    refuse 1 'nowhere/tarn.*--program' --out m.md --program nowhere/tarn
+    local small=(--scene "$project/tests/image/scenes/checkered_bed.toml" --size 16x12 --frames 1 --program "$program" --out m.md)
+    call 1 "${small[@]}" --cameras nowhere
+    [[ ! -e m.md ]] || fail "a failed measurement left a page"
+    call 0 "${small[@]}" --cameras above --presets fast
+    local pattern
+    for pattern in '^| date | [0-9-]* |' '^| commit | ' '^| machine | .*threads' '^## above' '^| the same without water | [0-9]' \
+        '^| `--preset fast` | [0-9]' '^| water | [0-9.e+]* | [0-9.e+]* | 4032 |' '^    tarn bench .* --preset fast$'; do
+        grep -q -- "$pattern" m.md || fail "the page has no line $pattern"
+    done
+    only_in_out m.md
+}
+
 run_test "$3"
