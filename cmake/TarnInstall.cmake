@@ -9,6 +9,16 @@ install(DIRECTORY shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/tarn)
 install(DIRECTORY assets DESTINATION ${CMAKE_INSTALL_DATADIR}/tarn PATTERN desktop EXCLUDE)
 install(FILES assets/desktop/tarn.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES assets/desktop/tarn.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+# The man page and the shells' completions are what the program says of itself.
+find_program(TARN_PYTHON3 python3)
+if(TARN_PYTHON3)
+  install(CODE "execute_process(
+    COMMAND ${TARN_PYTHON3} ${PROJECT_SOURCE_DIR}/tools/shell_files --program $<TARGET_FILE:tarn-osmesa>
+            --out \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\"
+    COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)")
+else()
+  message(STATUS "python3 is missing: no man page and no completions will be installed")
+endif()
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN *.md)
 install(FILES cmake/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME tarn)

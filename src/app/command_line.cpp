@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 
+#include "app/command_description.h"
 #include "app/parse.h"
 #include "app/version.h"
 #include "base/error.h"
@@ -492,7 +493,12 @@ std::function<Command()> defineOptions(Flags& flags)
 {
     auto command = std::make_shared<OptionsCommand>();
     flags.optionalText("--json", "FILE", "As JSON, to this file or to standard output", command->json, "-");
-    return [command] { return *command; };
+    flags.toggle("--markdown", "As tables in Markdown, one for each group", command->markdown);
+    return [command]() -> Command {
+        if (command->markdown && !command->json.empty())
+            throw UsageError("--markdown or --json: options writes one of them");
+        return *command;
+    };
 }
 
 std::function<Command()> defineInfo(Flags& flags)
@@ -537,7 +543,9 @@ std::vector<std::string> withCommand(std::vector<std::string> arguments)
 {
     if (!arguments.empty()) {
         const std::string& first = arguments.front();
-        if (isCommand(first) || first == "--help" || first == "-h" || first == "--version") return arguments;
+        if (isCommand(first) || first == "--help" || first == "-h" || first == "--version" ||
+            first == "--describe")
+            return arguments;
         const bool looksLikeFile = first.find_first_of("./-") != std::string::npos;
         if (!looksLikeFile && !std::filesystem::exists(first)) {
             std::vector<std::string> names;
@@ -589,6 +597,11 @@ Command parseCommandLine(const std::vector<std::string>& arguments)
         declared[row.name] = {std::move(flags), std::move(make)};
     }
     const std::string name = words.front();
+    if (name == "--describe") {
+        if (words.size() > 1)
+            throw UsageError("{}: one argument too many; --describe stands alone", words[1]);
+        return PrintCommand{describeCommandLine(app)};
+    }
 
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {

@@ -163,6 +163,7 @@ struct DisparityCommand {
 
 struct OptionsCommand {
     std::string json;
+    bool markdown = false;
 };
 
 struct InfoCommand {
@@ -170,7 +171,7 @@ struct InfoCommand {
     std::string json;
 };
 
-/// --help and --version.
+/// --help, --version and --describe.
 struct PrintCommand {
     std::string text;
 };

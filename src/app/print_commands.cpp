@@ -1,5 +1,6 @@
 // The commands that only tell: --help, options, explain; and where JSON goes.
 #include "app/commands.h"
+#include "app/options_markdown.h"
 #include "app/output.h"
 #include "app/plan_report.h"
 #include "app/stage.h"
@@ -78,6 +79,10 @@ void run(const OptionsCommand& command)
                             {"unit", row.unit},
                             {"doc", row.doc}});
         writeJson(command.json, json);
+        return;
+    }
+    if (command.markdown) {
+        fmt::print("{}", optionsPage(rows, fieldTree(settings)));
         return;
     }
     fmt::print("{:<31}{:<8}{:<12}{:<28}{:<10}{}\n", "key", "type", "default", "range", "unit", "what it is");

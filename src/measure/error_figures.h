@@ -1,4 +1,4 @@
-// What a setting costs in truth, in the words of README "Accuracy": the figures of one picture against its reference.
+// What a setting costs in truth, in the words of docs/accuracy.md: the figures of one picture against its reference.
 #pragma once
 
 #include <limits>

@@ -10,8 +10,8 @@ namespace tarn {
 
 namespace {
 
-// A map that misses more of its places than this leaves more wrong than the search in a target does (README, "Through maps of
-// heights").
+// A map that misses more of its places than this leaves more wrong than the search in a target does
+// (docs/methods/height-maps.md).
 constexpr double mostHidden = 0.02;
 // Heights between texels are straight, so that one of some pixels still shows what is there; colours blur from about here.
 constexpr float mostPixels = 4.0f;

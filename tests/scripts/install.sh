@@ -13,6 +13,10 @@ test_runs_from_its_prefix() {
         share/applications/tarn.desktop share/icons/hicolor/scalable/apps/tarn.svg share/doc/tarn/copyright; do
         [[ -f $work/prefix/$file ]] || fail "$file is not installed"
     done
+    if command -v python3 >/dev/null; then
+        [[ -s $work/prefix/share/man/man1/tarn.1.gz && -s $work/prefix/share/bash-completion/completions/tarn ]] ||
+            fail "no man page or no completions"
+    fi
     [[ ! -e $work/prefix/share/tarn/assets/desktop ]] || fail "the desktop file is installed twice"
     mkdir "$work/elsewhere"
     cd "$work/elsewhere"

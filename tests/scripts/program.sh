@@ -428,6 +428,13 @@ test_options() {
     grep -q 'refraction.steps' "$work/stdout" || fail "options does not list refraction.steps"
     call 0 options --json
     [[ $(head -c 1 "$work/stdout") =~ [[{] ]] || fail "options --json prints no JSON"
+    local count
+    count=$(grep -c '"key"' "$work/stdout")
+    call 0 options --markdown
+    [[ $(grep -c '^| `[a-z]*\.[a-z_]*` | ' "$work/stdout") == "$count" ]] || fail "options --markdown has not all $count options"
+    # A cell more or less would break its table.
+    ! grep '^|' "$work/stdout" | sed 's/\\|//g' | grep -v '^|\([^|]*|\)\{6\}$' || fail "a row has not six cells"
+    refuse 2 'markdown' options --markdown --json
 }
 
 # A ladder is measured, written and read; a broken one is refused before a window opens.

@@ -2,7 +2,7 @@
 # The shell tools, as far as that is possible without installing or building anything.
 # tools.sh PROJECT PROGRAM TEST
 set -euo pipefail
-project=$1 tarn=$2
+project=$1 tarn=$2 program=$2
 source "$project/tests/scripts/lib.sh"
 
 # A copy of the tools in a folder with a space; cmake, ninja and the programs only note how they were called.
@@ -44,6 +44,22 @@ test_run_passes_arguments_on() {
     DISPLAY=:7 call 0
     noted "tarn"
     [[ $(grep -c ^cmake "$NOTES") == 1 ]] || fail "it was configured more than once"
+}
+
+# Whatever the program calls a subcommand is one for tools/run too, with and without a display.
+test_run_knows_every_subcommand() {
+    fake_project
+    "$program" --describe >"$work/description.json" || fail "the program does not describe itself"
+    local command commands
+    commands=$(sed -n 's/^      "name": "\([a-z]*\)",$/\1/p' "$work/description.json")
+    [[ $(wc -w <<<"$commands") -ge 13 ]] || fail "the description has the subcommands '$commands'"
+    for command in $commands; do
+        [[ $command != view ]] || continue
+        call 0 "$command" x
+        noted "tarn <$command> <x>"
+        call 0 --headless "$command" x
+        noted "tarn-osmesa <$command> <x>"
+    done
 }
 
 test_run_without_display_renders_a_gallery() {

@@ -6,6 +6,9 @@
 #include "base/error.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
 
 namespace tarn
 {
@@ -109,6 +112,39 @@ TEST(CommandLine, OptionsJsonMayLeaveTheFileOut)
     EXPECT_EQ(parsed<OptionsCommand>({"options"}).json, "");
     EXPECT_EQ(parsed<OptionsCommand>({"options", "--json"}).json, "-");
     EXPECT_EQ(parsed<OptionsCommand>({"options", "--json", "o.json"}).json, "o.json");
+}
+
+TEST(CommandLine, OptionsAreWrittenInOneForm)
+{
+    EXPECT_FALSE(parsed<OptionsCommand>({"options"}).markdown);
+    EXPECT_TRUE(parsed<OptionsCommand>({"options", "--markdown"}).markdown);
+    EXPECT_THROW(parseCommandLine({"options", "--markdown", "--json"}), UsageError);
+}
+
+/// Every command and every flag that --help shows, in a form for other programs.
+TEST(CommandLine, DescribesItself)
+{
+    const auto json = nlohmann::json::parse(parsed<PrintCommand>({"--describe"}).text);
+    EXPECT_EQ(json["name"], "tarn");
+    std::map<std::string, nlohmann::json> commands;
+    for (const auto& command : json["commands"])
+        commands[command["name"]] = command["options"];
+    EXPECT_EQ(commands.size(), 13u);
+    const auto option = [&](const std::string& command, const std::string& name) -> nlohmann::json {
+        for (const auto& candidate : commands[command])
+            for (const auto& known : candidate["names"])
+                if (known == name) return candidate;
+        return {};
+    };
+    EXPECT_EQ(option("render", "--out")["value"], "FILE");
+    EXPECT_EQ(option("bench", "--flight")["value"], "");
+    EXPECT_TRUE(option("options", "--json")["value_optional"]);
+    EXPECT_TRUE(option("render", "--set").contains("repeated"));
+    EXPECT_FALSE(option("render", "--out").contains("repeated"));
+    EXPECT_FALSE(option("view", "--no-vsync").is_null());
+    EXPECT_TRUE(option("compare", "--set").is_null());
+    EXPECT_EQ(commands["compare"][1]["argument"], "REFERENCE");
+    EXPECT_THROW(parseCommandLine({"--describe", "render"}), UsageError);
 }
 
 TEST(CommandLine, AnErrorMapNeedsAReference)

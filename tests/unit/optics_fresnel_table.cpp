@@ -63,8 +63,8 @@ TEST(FresnelTable, BlendedTexelsAreOffByTheCurvature)
         }
 }
 
-/// The figures of the README.
-TEST(FresnelTable, ErrorsForWaterAreAsTheReadmeSays)
+/// The figures of docs/methods/surface.md.
+TEST(FresnelTable, ErrorsForWaterAreAsDocumented)
 {
     struct Figure {
         int size;

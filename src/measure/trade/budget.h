@@ -1,4 +1,4 @@
-// How much of a frame's error each of its approximations owns (README, "Accuracy").
+// How much of a frame's error each of its approximations owns (docs/accuracy.md).
 #pragma once
 
 #include "measure/error_figures.h"
