@@ -71,6 +71,23 @@ test_docs_usage() {
     refuse 1 'nowhere/tarn.*--program' --check --program nowhere/tarn
 }
 
+test_site_is_built() {
+    command -v pandoc >/dev/null || exit 77
+    small_project
+    cp "$project/tools/setup" tools/setup
+    mkdir assets/pictures
+    echo picture >assets/pictures/lake.png
+    echo '# Changelog' >CHANGELOG.md
+    printf '\n## The lake\n\n![The lake](../assets/pictures/lake.png)\n' >>docs/index.md
+    TARN_SKIP_SETUP=1 call 0
+    local site=$work/out/build/docs
+    [[ $(cat "$work/stdout") == "$site/index.html" ]] || fail "it does not say where the site begins"
+    grep -q 'href="options.html#refraction"' "$site/docs/guide.html" || fail "a link does not lead to a page of the site"
+    grep -q 'href="docs/index.html"' "$site/README.html" || fail "README.md does not lead to the list of pages"
+    grep -q '<td><code>refraction.steps' "$site/docs/options.html" || fail "the options are no table"
+    cmp assets/pictures/lake.png "$site/assets/pictures/lake.png" || fail "a picture is missing"
+}
+
 # A page of figures with date, machine, commit and the commands that made it.
 test_measurements_write_their_page() {
     tarn=$project/tools/measurements
