@@ -3,10 +3,10 @@
 #include "app/bench_interactive.h"
 #include "app/commands.h"
 #include "app/machine.h"
-#include "base/memory.h"
 #include "app/plan_report.h"
 #include "app/rendered_subject.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "measure/benchmark.h"
 #include "measure/paper_tables.h"
 #include "measure/yardstick.h"
@@ -16,11 +16,9 @@
 
 #include <optional>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 Settings changed(Settings settings, const std::string& assignment, const char* origin)
 {
@@ -138,8 +136,8 @@ void run(const BenchCommand& command)
     }
     std::optional<Yardstick> yardstick;
     if (command.yardstick) yardstick.emplace(session.shaders());
-    BenchReport report = runBenchmark(subjects, {.frames = command.frames, .warmUp = command.warmUp},
-                                      &progress, yardstick ? &*yardstick : nullptr);
+    BenchReport report = runBenchmark(subjects, {.frames = command.frames, .warmUp = command.warmUp}, &progress,
+                                      yardstick ? &*yardstick : nullptr);
     report.context = {{"machine", machineText()},
                       {"renderer", session.context().renderer()},
                       {"OpenGL", session.context().version()},
@@ -159,8 +157,7 @@ void run(const BenchCommand& command)
                       {"geometry_bytes", session.renderer().geometryBytes()}};
     writeJson(command.json, json);
     if (command.json != "-") {
-        fmt::print("{}", command.table ? toMarkdown(*command.table, report) + yardstickLines(report)
-                                       : toTable(report));
+        fmt::print("{}", command.table ? toMarkdown(*command.table, report) + yardstickLines(report) : toTable(report));
         if (!command.table) fmt::print("{}", toTable(shares));
     }
 }

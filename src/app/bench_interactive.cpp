@@ -45,8 +45,7 @@ void runInteractive(const BenchCommand& command)
 
     const std::vector<RecordedInput> inputs = recordFlight(cameras.size(), command.seconds);
     std::vector<double> due;
-    for (const RecordedInput& input : inputs)
-        due.push_back(input.due);
+    for (const RecordedInput& input : inputs) due.push_back(input.due);
     RecordedPilot pilot(cameras);
     const auto draw = [&](const InteractiveFrame& frame) {
         progress.report(frame.time / command.seconds, "flying");
@@ -58,22 +57,19 @@ void runInteractive(const BenchCommand& command)
     const InteractiveTimes times = playInputs(due, steadySeconds, draw);
     const double cpuMs = 1e3 * (processCpuSeconds() - cpuStart) / static_cast<double>(times.frameMs.size());
 
-    const BenchContext context = {
-        {"machine", machineText()},
-        {"renderer", session.context().renderer()},
-        {"OpenGL", session.context().version()},
-        {"scene", stage.scene.file.string()},
-        {"flight", fmt::format("{} s past {} cameras", command.seconds, cameras.size())},
-        {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
+    const BenchContext context = {{"machine", machineText()},
+                                  {"renderer", session.context().renderer()},
+                                  {"OpenGL", session.context().version()},
+                                  {"scene", stage.scene.file.string()},
+                                  {"flight", fmt::format("{} s past {} cameras", command.seconds, cameras.size())},
+                                  {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
     nlohmann::json json = toJson(times);
-    for (const auto& [key, value] : context)
-        json["context"][key] = value;
+    for (const auto& [key, value] : context) json["context"][key] = value;
     json["seconds"] = command.seconds;
     json["cpu_ms_per_frame"] = cpuMs;
     writeJson(command.json, json);
     if (command.json == "-") return;
-    for (const auto& [key, value] : context)
-        fmt::print("{:<16}{}\n", key, value);
+    for (const auto& [key, value] : context) fmt::print("{:<16}{}\n", key, value);
     fmt::print("\n{}\nprocessor time of a frame, mean: {:.1f} ms\n", toTable(times), cpuMs);
 }
 

@@ -1,5 +1,6 @@
 // tarn bench --startup: how long a person waits for the scene, the first picture and the full one. The process measures
-// itself, as the viewer would go through it, without a window; what a driver's cache of shaders holds is part of the answer.
+// itself, as the viewer would go through it, without a window; what a driver's cache of shaders holds is part of the
+// answer.
 #include "app/commands.h"
 #include "app/live_picture.h"
 #include "app/machine.h"
@@ -18,15 +19,12 @@
 #include <mutex>
 #include <thread>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// Wakes the thread that shows pictures.
-class Bell
-{
+class Bell {
 public:
     void ring()
     {
@@ -81,7 +79,8 @@ std::string toTable(const StartupTimes& times)
 }
 
 /// Until the picture with all settings is there, and then until the programs of all other views are, too.
-void showUntilBuilt(LivePicture& picture, const FrameRequest& request, SpareMemory& spare, Bell& bell, Progress& progress)
+void showUntilBuilt(LivePicture& picture, const FrameRequest& request, SpareMemory& spare, Bell& bell,
+                    Progress& progress)
 {
     while (!picture.isBuilt()) {
         if (!picture.isFull()) picture.ask(request);
@@ -109,23 +108,21 @@ void benchStartup(const BenchCommand& command)
     const Camera camera = chooseCamera(stage.scene, command.view.camera);
     picture.show(stage.scene, stage.settings);
     SpareMemory spare(stage.scene);
-    showUntilBuilt(picture,
-                   {camera, command.view.time, command.view.size, DebugView::final, stage.settings.options,
-                   stage.settings.water},
-                   spare, bell, progress);
+    showUntilBuilt(
+        picture,
+        {camera, command.view.time, command.view.size, DebugView::final, stage.settings.options, stage.settings.water},
+        spare, bell, progress);
 
     const ProcessMemory memory = processMemory();
-    nlohmann::json json{{"machine", machineText()},
-                        {"renderer", context->renderer()},
-                        {"OpenGL", context->version()},
-                        {"shader_cache", cacheText()},
-                        {"scene", stage.scene.file.string()},
-                        {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)},
-                        {"events", toJson(picture.times())},
-                        {"memory",
-                         {{"resident_bytes", memory.resident},
-                          {"file_bytes", memory.files},
-                          {"peak_bytes", memory.peak}}}};
+    nlohmann::json json{
+        {"machine", machineText()},
+        {"renderer", context->renderer()},
+        {"OpenGL", context->version()},
+        {"shader_cache", cacheText()},
+        {"scene", stage.scene.file.string()},
+        {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)},
+        {"events", toJson(picture.times())},
+        {"memory", {{"resident_bytes", memory.resident}, {"file_bytes", memory.files}, {"peak_bytes", memory.peak}}}};
     writeJson(command.json, json);
     if (command.json == "-") return;
     fmt::print("{}, shader cache: {}\n", context->renderer(), cacheText());

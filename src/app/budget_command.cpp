@@ -18,8 +18,7 @@ void run(const BudgetCommand& command)
     const Settings& settings = stage.settings;
     requireOneEye(settings, "errors are measured in one eye's picture");
     if (!settings.water.present || !settings.options.water.enabled)
-        throw Error("{}: has no water, and so none of the errors that a budget parts",
-                    stage.scene.file.string());
+        throw Error("{}: has no water, and so none of the errors that a budget parts", stage.scene.file.string());
 
     Session session(stage, command.view.size, &progress);
     const reference::Tracer tracer(stage.scene, settings.water, settings.options.water.sunRoughness);

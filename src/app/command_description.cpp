@@ -12,10 +12,8 @@ using Json = nlohmann::ordered_json;
 Json describe(const CLI::Option& option)
 {
     Json names = Json::array();
-    for (const std::string& name : option.get_snames())
-        names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames())
-        names.push_back("--" + name);
+    for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
     Json json;
     json["names"] = names; // none: an argument
     const bool takesValue = option.get_items_expected_max() > 0;
@@ -30,8 +28,7 @@ Json describe(const CLI::Option& option)
 Json describeOptions(const CLI::App& app)
 {
     Json options = Json::array();
-    for (const CLI::Option* option : app.get_options())
-        options.push_back(describe(*option));
+    for (const CLI::Option* option : app.get_options()) options.push_back(describe(*option));
     return options;
 }
 

@@ -13,18 +13,15 @@
 #include <map>
 #include <tuple>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr float radiansPerDegree = pi / 180.0f;
 
 /// One command's flags. Text is turned into values by `convert` functions after CLI11 has told flags from
 /// arguments, so that every message has the same form.
-class Flags
-{
+class Flags {
 public:
     explicit Flags(CLI::App& app) : app_(app) {}
 
@@ -69,16 +66,15 @@ public:
         });
     }
 
-    void number(const std::string& flag, const char* what, const char* doc, double& value, double lower,
-                double upper)
+    void number(const std::string& flag, const char* what, const char* doc, double& value, double lower, double upper)
     {
         this->value(flag, what, doc, [=, &value](const std::string& text, const std::string& name) {
             value = parseNumber(text, name, lower, upper);
         });
     }
 
-    void number(const std::string& flag, const char* what, const char* doc, std::optional<double>& value,
-                double lower, double upper)
+    void number(const std::string& flag, const char* what, const char* doc, std::optional<double>& value, double lower,
+                double upper)
     {
         this->value(flag, what, doc, [=, &value](const std::string& text, const std::string& name) {
             value = parseNumber(text, name, lower, upper);
@@ -87,9 +83,8 @@ public:
 
     void vector(const std::string& flag, const char* doc, std::optional<vec3>& value)
     {
-        this->value(flag, "X,Y,Z", doc, [&value](const std::string& text, const std::string& name) {
-            value = parseVec3(text, name);
-        });
+        this->value(flag, "X,Y,Z", doc,
+                    [&value](const std::string& text, const std::string& name) { value = parseVec3(text, name); });
     }
 
     /// One more thing to do once CLI11 is done.
@@ -97,8 +92,7 @@ public:
 
     void convert() const
     {
-        for (const auto& step : pending_)
-            step();
+        for (const auto& step : pending_) step();
     }
 
 private:
@@ -112,7 +106,8 @@ void addScene(Flags& flags, SceneArguments& scene)
                 [&scene](const std::string& text, const std::string&) { scene.file = text; });
     flags.list("--set", "KEY=VALUE", "Set an option, such as refraction.steps=3 (see: tarn options)",
                scene.settings.assignments);
-    flags.text("--preset", "NAME", "Options that come with Tarn: fast, low, medium, high, best, thesis; auto takes those for the machine",
+    flags.text("--preset", "NAME",
+               "Options that come with Tarn: fast, low, medium, high, best, thesis; auto takes those for the machine",
                scene.settings.preset);
     auto files = std::make_shared<std::vector<std::string>>();
     flags.list("--options", "FILE", "TOML file of options; it wins over --preset, --set over it", *files);
@@ -121,7 +116,8 @@ void addScene(Flags& flags, SceneArguments& scene)
                 [&scene](const std::string& text, const std::string& flag) {
                     scene.waterLevel = static_cast<float>(parseNumber(text, flag, -1e5, 1e5));
                 });
-    flags.text("--device", "NAME", "What to draw on without a window: part of a name that tarn info lists under devices", scene.device);
+    flags.text("--device", "NAME",
+               "What to draw on without a window: part of a name that tarn info lists under devices", scene.device);
 }
 
 void addView(Flags& flags, ViewArguments& view)
@@ -130,17 +126,15 @@ void addView(Flags& flags, ViewArguments& view)
     flags.vector("--eye", "Where the eye is, m; replaces the camera's", view.camera.eye);
     flags.vector("--target", "The point it looks at, m", view.camera.target);
     flags.vector("--up", "The direction that is up in the picture", view.camera.up);
-    flags.value("--fov", "DEG", "Vertical field of view, degrees",
-                [&view](const std::string& text, const std::string& flag) {
-                    view.camera.verticalFov =
-                        static_cast<float>(parseNumber(text, flag, 1.0, 170.0)) * radiansPerDegree;
-                });
     flags.value(
-        "--size", "WxH", "Size of the picture, pixels",
-        [&view](const std::string& text, const std::string& flag) {
-            view.size = parseSize(text, flag);
-            view.sizeGiven = true;
+        "--fov", "DEG", "Vertical field of view, degrees", [&view](const std::string& text, const std::string& flag) {
+            view.camera.verticalFov = static_cast<float>(parseNumber(text, flag, 1.0, 170.0)) * radiansPerDegree;
         });
+    flags.value("--size", "WxH", "Size of the picture, pixels",
+                [&view](const std::string& text, const std::string& flag) {
+                    view.size = parseSize(text, flag);
+                    view.sizeGiven = true;
+                });
     flags.value("--time", "S", "Time of the waves at the start, s",
                 [&view](const std::string& text, const std::string& flag) {
                     view.time = parseNumber(text, flag, -1e6, 1e6);
@@ -161,10 +155,12 @@ std::function<Command()> defineView(Flags& flags)
     flags.toggle("--fullscreen", "Fill the screen", command->fullscreen);
     flags.toggle("--vsync,!--no-vsync", "Wait for the screen's refresh (on by default)", command->vsync);
     flags.count("--frames", "Leave after N frames; 0 stays", command->frames, 0, 1000000);
-    flags.number("--fps", "F", "Frames per second to hold by cheaper settings while anything moves (30 by default); 0 shows "
-                              "your settings whatever they take",
+    flags.number("--fps", "F",
+                 "Frames per second to hold by cheaper settings while anything moves (30 by default); 0 shows "
+                 "your settings whatever they take",
                  command->fps, 0.0, 1000.0);
-    flags.value("--ladder", "FILE", "Settings to hold it by, from tarn trade --write-ladder; the shipped ones by default",
+    flags.value("--ladder", "FILE",
+                "Settings to hold it by, from tarn trade --write-ladder; the shipped ones by default",
                 [command = command.get()](const std::string& text, const std::string&) { command->ladder = text; });
     flags.value("--reference", "FILE", "A picture of `tarn reference` to see beside the live one",
                 [command = command.get()](const std::string& text, const std::string&) { command->reference = text; });
@@ -190,7 +186,8 @@ ErrorKind parseErrorKind(const std::string& text, const std::string& flag)
 
 void addErrorMap(Flags& flags, RenderCommand& c)
 {
-    flags.value("--error", "KIND", "A map of what the water has wrong: refraction, reflection, fresnel, path or caustics",
+    flags.value("--error", "KIND",
+                "A map of what the water has wrong: refraction, reflection, fresnel, path or caustics",
                 [&c](const std::string& text, const std::string& flag) { c.error = parseErrorKind(text, flag); });
     flags.value("--reference", "FILE", "What --error compares with; gives camera, time and size",
                 [&c](const std::string& text, const std::string&) { c.reference = text; });
@@ -200,8 +197,10 @@ void addErrorMap(Flags& flags, RenderCommand& c)
 
 void requireMeaning(const RenderCommand& c)
 {
-    if (!c.error && !c.reference.empty()) throw UsageError("--reference is for --error; name one, such as --error path");
-    if (!c.error && c.errorScale > 0.0) throw UsageError("--error-scale is for --error; name one, such as --error path");
+    if (!c.error && !c.reference.empty())
+        throw UsageError("--reference is for --error; name one, such as --error path");
+    if (!c.error && c.errorScale > 0.0)
+        throw UsageError("--error-scale is for --error; name one, such as --error path");
     if (!c.error) return;
     if (c.reference.empty())
         throw UsageError("--error needs --reference FILE; make one with: tarn reference --out truth.exr");
@@ -216,11 +215,9 @@ std::function<Command()> defineRender(Flags& flags)
     c.view.size = {1024, 768};
     addScene(flags, c.scene);
     addView(flags, c.view);
-    flags.value(
-        "--view", "NAME", "Show an intermediate picture: fresnel, path-length, …",
-        [&c](const std::string& text, const std::string& flag) { c.debugView = parseDebugView(text, flag); });
-    flags.text("--out", "FILE", "Picture: .png tone-mapped, .exr linear; name_%04d.png for a sequence",
-               c.out);
+    flags.value("--view", "NAME", "Show an intermediate picture: fresnel, path-length, …",
+                [&c](const std::string& text, const std::string& flag) { c.debugView = parseDebugView(text, flag); });
+    flags.text("--out", "FILE", "Picture: .png tone-mapped, .exr linear; name_%04d.png for a sequence", c.out);
     flags.count("--frames", "Pictures in the sequence", c.frames, 1, 1000000);
     flags.number("--fps", "F", "Pictures per second of the sequence", c.fps, 1e-3, 1e4);
     flags.toggle("--all-cameras", "A picture from each camera; --out names their folder", c.allCameras);
@@ -248,8 +245,10 @@ std::function<Command()> defineReference(Flags& flags)
     flags.text("--out", "FILE", "Picture: .exr with every channel, .png as it would be shown", c.out);
     flags.count("--samples", "Paths through each pixel", c.reference.samples, 1, 65536);
     flags.count("--depth", "Meetings with the water's surface that a path follows", c.reference.depth, 1, 16);
-    flags.count("--bounces", "Diffuse reflections of light between bed, objects and surface", c.reference.bounces, 0, 64);
-    flags.count("--photons", "Photons that find the sun's light under water", c.reference.photons, 10'000, 2'000'000'000);
+    flags.count("--bounces", "Diffuse reflections of light between bed, objects and surface", c.reference.bounces, 0,
+                64);
+    flags.count("--photons", "Photons that find the sun's light under water", c.reference.photons, 10'000,
+                2'000'000'000);
     flags.count("--seed", "Of all random numbers", c.reference.seed, 0, 2'000'000'000);
     auto half = std::make_shared<bool>(false);
     flags.toggle("--half", "Half the size, a quarter of the samples and photons: a quick look", *half);
@@ -274,15 +273,15 @@ std::function<Command()> defineBench(Flags& flags)
     addView(flags, command->view);
     flags.count("--frames", "Frames measured of each configuration", command->frames, 1, 1000000);
     flags.count("--warm-up", "Frames drawn first and not counted", command->warmUp, 0, 10000);
-    flags.list("--vary", "KEY=VALUE", "Measure one more configuration, with this option set",
-               command->variants);
-    flags.toggle("--flight", "Fly past the scene's cameras, from the first to the last, in the frames that are measured",
+    flags.list("--vary", "KEY=VALUE", "Measure one more configuration, with this option set", command->variants);
+    flags.toggle("--flight",
+                 "Fly past the scene's cameras, from the first to the last, in the frames that are measured",
                  command->flight);
-    flags.toggle(
-        "--yardstick",
-        "Measure one plain pass of 100,352 textured triangles at 1024x768 too, and tell all else in it",
-        command->yardstick);
-    flags.toggle("--rules", "Measure the frame plan: without each rule that applies, and without all of them", command->rules);
+    flags.toggle("--yardstick",
+                 "Measure one plain pass of 100,352 textured triangles at 1024x768 too, and tell all else in it",
+                 command->yardstick);
+    flags.toggle("--rules", "Measure the frame plan: without each rule that applies, and without all of them",
+                 command->rules);
     flags.toggle("--interactive",
                  "Fly past the scene's cameras at real speed: times of frames, and from input to picture",
                  command->interactive);
@@ -291,20 +290,22 @@ std::function<Command()> defineBench(Flags& flags)
                 [command = command.get()](const std::string& text, const std::string& flag) {
                     command->table = &findPaperTable(text, flag);
                 });
-    flags.toggle("--startup",
-                 "Measure when this process, since it began, has its scene, its first picture and all its programs; with "
-                 "MESA_SHADER_CACHE_DIR set to an empty folder that is a first start",
-                 command->startup);
+    flags.toggle(
+        "--startup",
+        "Measure when this process, since it began, has its scene, its first picture and all its programs; with "
+        "MESA_SHADER_CACHE_DIR set to an empty folder that is a first start",
+        command->startup);
     flags.text("--json", "FILE", jsonDoc, command->json);
     return [command] {
-        if (command->interactive && (command->table || command->flight || command->rules || command->yardstick ||
-                                     !command->variants.empty()))
+        if (command->interactive &&
+            (command->table || command->flight || command->rules || command->yardstick || !command->variants.empty()))
             throw UsageError("--interactive has a flight of its own; leave --table, --flight, --rules, --yardstick and "
                              "--vary away");
         if (command->startup && (command->table || command->flight || command->rules || command->yardstick ||
                                  command->interactive || !command->variants.empty()))
-            throw UsageError("--startup measures one start; leave --table, --flight, --rules, --yardstick, --interactive and "
-                             "--vary away");
+            throw UsageError(
+                "--startup measures one start; leave --table, --flight, --rules, --yardstick, --interactive and "
+                "--vary away");
         if (command->table && !command->variants.empty())
             throw UsageError("--table has configurations of its own; leave --vary away");
         if (command->table && (command->flight || command->rules))
@@ -318,8 +319,7 @@ std::function<Command()> defineTrade(Flags& flags)
     auto command = std::make_shared<TradeCommand>();
     TradeCommand& c = *command;
     addScene(flags, c.scene);
-    flags.value("--out", "DIR",
-                "Folder of the results, the tables and report.html; made when it is not there",
+    flags.value("--out", "DIR", "Folder of the results, the tables and report.html; made when it is not there",
                 [&c](const std::string& text, const std::string&) { c.out = text; });
     flags.list("--sweep", "KEY=VALUES",
                "Sweep an option: 1:8, 1:64:*2, 0:1:0.25 or a,b,c, and a,b@OTHER=c while another is set; a plan of "
@@ -329,9 +329,9 @@ std::function<Command()> defineTrade(Flags& flags)
     flags.toggle("--presets-only", "Measure the options as given and the presets, and sweep nothing", c.presetsOnly);
     flags.value("--views", "NAMES", "Cameras, a,b,c; the scene's first eight by default",
                 [&c](const std::string& text, const std::string& flag) { c.views = parseNames(text, flag); });
-    flags.value(
-        "--times", "S,S", "Times of the waves, s, all of them in each view; by default the views take turns at 0 and 1.7",
-        [&c](const std::string& text, const std::string& flag) { c.times = parseNumbers(text, flag); });
+    flags.value("--times", "S,S",
+                "Times of the waves, s, all of them in each view; by default the views take turns at 0 and 1.7",
+                [&c](const std::string& text, const std::string& flag) { c.times = parseNumbers(text, flag); });
     flags.value("--size", "WxH", "Size of the pictures, pixels",
                 [&c](const std::string& text, const std::string& flag) { c.size = parseSize(text, flag); });
     flags.count("--frames", "Frames timed of each setting", c.frames, 1, 100000);
@@ -341,10 +341,11 @@ std::function<Command()> defineTrade(Flags& flags)
                     std::tie(c.shard, c.shards) = parseShard(text, flag);
                 });
     auto merge = std::make_shared<std::vector<std::string>>();
-    flags.list("--merge", "DIR",
-               "Put another folder's results into --out and measure nothing; may be repeated", *merge);
+    flags.list("--merge", "DIR", "Put another folder's results into --out and measure nothing; may be repeated",
+               *merge);
     flags.toggle("--fresh", "Throw the results in --out away and start anew", c.fresh);
-    flags.value("--write-presets", "DIR", "Write fast, low, medium, high and best.toml, picked from the front; with --write-ladder fast.toml",
+    flags.value("--write-presets", "DIR",
+                "Write fast, low, medium, high and best.toml, picked from the front; with --write-ladder fast.toml",
                 [&c](const std::string& text, const std::string&) { c.writePresets = text; });
     flags.value("--write-ladder", "FILE",
                 "Measure what is cheaper than the settings, and write the front as a ladder for the viewer's governor",
@@ -367,14 +368,12 @@ std::function<Command()> defineTune(Flags& flags)
     auto command = std::make_shared<TuneCommand>();
     TuneCommand& c = *command;
     addScene(flags, c.scene);
-    flags.value("--max-error", "FLIP", "The cheapest settings with at most this mean FLIP",
-                [&c](const std::string& text, const std::string& flag) {
-                    c.maxError = parseNumber(text, flag, 0.0, 1.0);
-                });
-    flags.value("--budget-ms", "MS", "The most accurate settings within so many milliseconds a frame",
-                [&c](const std::string& text, const std::string& flag) {
-                    c.budgetMs = parseNumber(text, flag, 1e-3, 1e6);
-                });
+    flags.value(
+        "--max-error", "FLIP", "The cheapest settings with at most this mean FLIP",
+        [&c](const std::string& text, const std::string& flag) { c.maxError = parseNumber(text, flag, 0.0, 1.0); });
+    flags.value(
+        "--budget-ms", "MS", "The most accurate settings within so many milliseconds a frame",
+        [&c](const std::string& text, const std::string& flag) { c.budgetMs = parseNumber(text, flag, 1e-3, 1e6); });
     flags.list("--camera", "NAME", "A camera to tune for; may be repeated; the scene's first four by default",
                c.cameras);
     flags.value("--size", "WxH", "Size of the picture, pixels",
@@ -401,7 +400,8 @@ std::function<Command()> defineBudget(Flags& flags)
     addScene(flags, c.scene);
     addView(flags, c.view);
     flags.count("--samples", "Paths through each pixel of the reference", c.reference.samples, 1, 65536);
-    flags.count("--photons", "Photons that find the sun's light under water", c.reference.photons, 10'000, 2'000'000'000);
+    flags.count("--photons", "Photons that find the sun's light under water", c.reference.photons, 10'000,
+                2'000'000'000);
     flags.text("--json", "FILE", jsonDoc, c.json);
     return [command] { return *command; };
 }
@@ -449,9 +449,7 @@ std::function<Command()> defineCompare(Flags& flags)
     flags.number("--exposure", "E", "Factor on linear pictures; the reference's own by default", c.exposure, 0.0,
                  1000.0);
     flags.value("--tone-curve", "NAME", "linear, reinhard or aces; the reference's own by default",
-                [&c](const std::string& text, const std::string& flag) {
-                    c.toneCurve = parseToneCurve(text, flag);
-                });
+                [&c](const std::string& text, const std::string& flag) { c.toneCurve = parseToneCurve(text, flag); });
     flags.number("--ppd", "P", "Pixels that fill a degree of the viewer's sight", c.pixelsPerDegree,
                  leastPixelsPerDegree, mostPixelsPerDegree);
     flags.number("--max-flip", "X", "Fail when the mean FLIP is over X", c.maxFlip, 0.0, 1.0);
@@ -543,14 +541,12 @@ std::vector<std::string> withCommand(std::vector<std::string> arguments)
 {
     if (!arguments.empty()) {
         const std::string& first = arguments.front();
-        if (isCommand(first) || first == "--help" || first == "-h" || first == "--version" ||
-            first == "--describe")
+        if (isCommand(first) || first == "--help" || first == "-h" || first == "--version" || first == "--describe")
             return arguments;
         const bool looksLikeFile = first.find_first_of("./-") != std::string::npos;
         if (!looksLikeFile && !std::filesystem::exists(first)) {
             std::vector<std::string> names;
-            for (const CommandRow& row : commands)
-                names.emplace_back(row.name);
+            for (const CommandRow& row : commands) names.emplace_back(row.name);
             const std::string near = nearestName(first, names);
             throw UsageError("{}: no such command or scene; {}", first,
                              near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
@@ -564,14 +560,12 @@ std::vector<std::string> withCommand(std::vector<std::string> arguments)
 std::string unknownFlagMessage(const CLI::App& app)
 {
     const std::string word = app.remaining(true).front();
-    if (word.empty() || word.front() != '-')
-        return fmt::format("{}: one argument too many; see --help", word);
+    if (word.empty() || word.front() != '-') return fmt::format("{}: one argument too many; see --help", word);
     const std::string flag = word.substr(0, word.find('='));
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands())
         for (const CLI::Option* option : command->get_options())
-            for (const std::string& name : option->get_lnames())
-                names.push_back("--" + name);
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     const std::string near = nearestName(flag, names);
     return fmt::format("{}: no such flag{}; see --help", flag,
                        near.empty() ? "" : fmt::format(", did you mean {}?", near));
@@ -598,8 +592,7 @@ Command parseCommandLine(const std::vector<std::string>& arguments)
     }
     const std::string name = words.front();
     if (name == "--describe") {
-        if (words.size() > 1)
-            throw UsageError("{}: one argument too many; --describe stands alone", words[1]);
+        if (words.size() > 1) throw UsageError("{}: one argument too many; --describe stands alone", words[1]);
         return PrintCommand{describeCommandLine(app)};
     }
 

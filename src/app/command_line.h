@@ -16,8 +16,7 @@
 #include <variant>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 struct SceneArguments {
     std::filesystem::path file; ///< empty: the shipped lake
@@ -37,8 +36,8 @@ struct CameraArguments {
 
 struct ViewArguments {
     CameraArguments camera;
-    ivec2 size{1280, 720}; ///< pixels
-    double time = 0.0;     ///< s
+    ivec2 size{1280, 720};                     ///< pixels
+    double time = 0.0;                         ///< s
     bool sizeGiven = false, timeGiven = false; ///< on the command line
 };
 
@@ -47,9 +46,9 @@ struct ViewCommand {
     ViewArguments view;
     bool fullscreen = false;
     bool vsync = true;
-    int frames = 0; ///< leaves after so many; 0: stays
-    std::optional<double> fps;     ///< that the governor holds; 0: it is off
-    std::filesystem::path ladder;  ///< that it moves along; empty: the shipped one
+    int frames = 0;                  ///< leaves after so many; 0: stays
+    std::optional<double> fps;       ///< that the governor holds; 0: it is off
+    std::filesystem::path ladder;    ///< that it moves along; empty: the shipped one
     std::filesystem::path reference; ///< a picture of `tarn reference` to compare with; empty: none
 };
 
@@ -65,7 +64,7 @@ struct RenderCommand {
     std::optional<ErrorKind> error;  ///< a map of it, instead of the picture
     std::filesystem::path reference; ///< what it is held against
     double errorScale = 0.0;         ///< error of full colour, in its unit; 0: the kind's own
-    std::string json; ///< file, "-" for standard output, or empty
+    std::string json;                ///< file, "-" for standard output, or empty
 };
 
 struct BenchCommand {
@@ -74,10 +73,10 @@ struct BenchCommand {
     int frames = 60;
     int warmUp = 5;
     std::vector<std::string> variants; ///< "key=value": one more configuration each
-    bool flight = false; ///< past all of the scene's cameras
-    bool yardstick = false; ///< tells every configuration as a multiple of it too
-    bool startup = false; ///< measures the way to the first pictures instead
-    bool rules = false;  ///< measures the plan's rules: without each, and without all of them
+    bool flight = false;               ///< past all of the scene's cameras
+    bool yardstick = false;            ///< tells every configuration as a multiple of it too
+    bool startup = false;              ///< measures the way to the first pictures instead
+    bool rules = false;                ///< measures the plan's rules: without each, and without all of them
     bool interactive = false;          ///< a recorded flight at its real speed instead
     double seconds = 20.0;             ///< that it takes
     const PaperTable* table = nullptr; ///< measures its rows instead; null: none asked for
@@ -97,13 +96,13 @@ struct TradeCommand {
     std::filesystem::path out;       ///< folder
     std::vector<std::string> sweeps; ///< "key=values"; empty: the default plan
     bool grid = false;
-    std::vector<std::string> views;      ///< names of cameras; empty: the first eight
-    bool presetsOnly = false;            ///< the base and the presets, and no sweeps
-    std::vector<double> times;           ///< s; empty: two moments, at which the views take turns
-    ivec2 size{320, 240};                ///< pixels
-    int frames = 3;                      ///< frames timed of each setting in each view
-    int samples = 32;                    ///< of the reference, through each pixel
-    int shard = 1, shards = 1;           ///< this part of so many
+    std::vector<std::string> views; ///< names of cameras; empty: the first eight
+    bool presetsOnly = false;       ///< the base and the presets, and no sweeps
+    std::vector<double> times;      ///< s; empty: two moments, at which the views take turns
+    ivec2 size{320, 240};           ///< pixels
+    int frames = 3;                 ///< frames timed of each setting in each view
+    int samples = 32;               ///< of the reference, through each pixel
+    int shard = 1, shards = 1;      ///< this part of so many
     std::vector<std::filesystem::path> merge;
     bool fresh = false;
     std::filesystem::path writePresets; ///< folder, or empty
@@ -118,9 +117,9 @@ struct TuneCommand {
     std::vector<std::string> cameras; ///< empty: the first four
     ivec2 size{640, 480};             ///< pixels
     double time = 0.0;                ///< s
-    int frames = 20;   ///< timed of each setting
-    int samples = 96;  ///< of the reference, through each pixel
-    std::filesystem::path out; ///< empty: standard output
+    int frames = 20;                  ///< timed of each setting
+    int samples = 96;                 ///< of the reference, through each pixel
+    std::filesystem::path out;        ///< empty: standard output
 };
 
 struct BudgetCommand {
@@ -154,8 +153,9 @@ struct CompareCommand {
 
 struct DisparityCommand {
     SceneArguments scene;
-    std::filesystem::path reference; ///< as given to tarn reference: NAME.exr stands for NAME-left.exr and NAME-right.exr
-    std::filesystem::path out;       ///< map of the error, over the left picture; empty: none
+    std::filesystem::path
+        reference;             ///< as given to tarn reference: NAME.exr stands for NAME-left.exr and NAME-right.exr
+    std::filesystem::path out; ///< map of the error, over the left picture; empty: none
     ShownBy mapped = ShownBy::refraction;
     double scale = 2.0; ///< error of full colour in the map, pixels
     std::string json;
@@ -177,8 +177,8 @@ struct PrintCommand {
 };
 
 using Command = std::variant<PrintCommand, ViewCommand, RenderCommand, ReferenceCommand, CompareCommand, BenchCommand,
-                             DisparityCommand, TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, MapsCommand, OptionsCommand,
-                             InfoCommand>;
+                             DisparityCommand, TradeCommand, TuneCommand, BudgetCommand, ExplainCommand, MapsCommand,
+                             OptionsCommand, InfoCommand>;
 
 /// @param arguments without the program's name. Throws UsageError, with the nearest flag or command for a
 /// word that is none.

@@ -5,8 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace tarn
-{
+namespace tarn {
 
 void run(const PrintCommand& command);
 void run(const RenderCommand& command);

@@ -43,15 +43,13 @@ Image colourChannels(const NamedImage& picture)
         const std::string name(1, "RGB"[i]);
         const auto found = std::find(picture.channelNames.begin(), picture.channelNames.end(), name);
         if (found == picture.channelNames.end())
-            throw Error("{}: has no channel {}; it has {}", all.name, name,
-                        fmt::join(picture.channelNames, ", "));
+            throw Error("{}: has no channel {}; it has {}", all.name, name, fmt::join(picture.channelNames, ", "));
         places[i] = static_cast<std::size_t>(found - picture.channelNames.begin());
     }
     Image result{all.name, all.width, all.height, 3, {}, {}};
     result.floats.reserve(result.size());
     for (std::size_t i = 0; i < all.floats.size(); i += picture.channelNames.size())
-        for (const std::size_t place : places)
-            result.floats.push_back(all.floats[i + place]);
+        for (const std::size_t place : places) result.floats.push_back(all.floats[i + place]);
     return result;
 }
 
@@ -60,14 +58,12 @@ Source readSource(const std::filesystem::path& file)
     if (!isLinearFile(file)) {
         Source source{file, readImage(file), false, ""};
         if (source.image.isFloat())
-            throw Error("{}: has more than 8 bits; 8-bit pictures and linear .exr files are compared",
-                        file.string());
+            throw Error("{}: has more than 8 bits; 8-bit pictures and linear .exr files are compared", file.string());
         return source;
     }
     const NamedImage picture = readNamedImage(file);
     const auto settings = picture.metadata.find("tarn:settings");
-    Source source{file, colourChannels(picture), true,
-                  settings == picture.metadata.end() ? "" : settings->second};
+    Source source{file, colourChannels(picture), true, settings == picture.metadata.end() ? "" : settings->second};
     requireFinite(source.image);
     return source;
 }
@@ -101,8 +97,7 @@ Showing headerShowing(const Source& source)
     if (source.settings.empty()) return showing;
     const std::string name = source.file.string();
     const auto json = nlohmann::json::parse(source.settings, nullptr, false);
-    if (!json.is_object())
-        throw Error("{}: its tarn:settings are damaged; give --exposure and --tone-curve", name);
+    if (!json.is_object()) throw Error("{}: its tarn:settings are damaged; give --exposure and --tone-curve", name);
     if (!json.contains("frame") || !json["frame"].is_object()) return showing;
     const auto take = [&](const char* key, std::string& origin) {
         if (!json["frame"].contains(key)) return;
@@ -217,12 +212,11 @@ void print(const Comparison& comparison, const CompareCommand& command)
     const auto row = [](const char* name, const std::string& value, const std::string& remark) {
         fmt::print("  {:<18}{:<10}{}\n", name, value, remark);
     };
-    fmt::print("{} against {}, {}x{} pixels\n", command.test.string(), command.reference.string(),
-               comparison.size.x, comparison.size.y);
+    fmt::print("{} against {}, {}x{} pixels\n", command.test.string(), command.reference.string(), comparison.size.x,
+               comparison.size.y);
     if (comparison.anyLinear) {
         const nlohmann::json frame = frameJson(comparison.showing.frame);
-        row("exposure", fmt::format("{}", comparison.showing.frame.exposure),
-            comparison.showing.exposureOrigin);
+        row("exposure", fmt::format("{}", comparison.showing.frame.exposure), comparison.showing.exposureOrigin);
         row("tone curve", frame["tone_curve"].get<std::string>(), comparison.showing.toneCurveOrigin);
     }
     const PictureError& error = comparison.error;
@@ -231,10 +225,10 @@ void print(const Comparison& comparison, const CompareCommand& command)
     row("RMSE", fmt::format("{:.6f}", error.rmse), fmt::format("of {}", valuesCompared(comparison)));
     row("PSNR", fmt::format("{:.2f}", error.psnr), "dB below 1");
     row("largest", fmt::format("{:.6f}", error.largest),
-        error.largest > 0.0 ? fmt::format("in {} at pixel {},{}",
-                                          channelNames[static_cast<std::size_t>(error.largestChannel)],
-                                          error.largestAt.x, error.largestAt.y)
-                            : "");
+        error.largest > 0.0
+            ? fmt::format("in {} at pixel {},{}", channelNames[static_cast<std::size_t>(error.largestChannel)],
+                          error.largestAt.x, error.largestAt.y)
+            : "");
 }
 
 void requireWritable(const CompareCommand& command)
@@ -250,8 +244,8 @@ void run(const CompareCommand& command)
     requireWritable(command);
     const Comparison comparison = compare(command);
     if (!command.out.empty())
-        writeImage(command.out, command.out.extension() == ".exr" ? comparison.flip
-                                                                  : heatPicture(comparison.flip, 0.0, 1.0));
+        writeImage(command.out,
+                   command.out.extension() == ".exr" ? comparison.flip : heatPicture(comparison.flip, 0.0, 1.0));
     writeJson(command.json, toJson(comparison, command));
     if (command.json != "-") print(comparison, command);
     if (command.maxFlip && comparison.meanFlip > *command.maxFlip)

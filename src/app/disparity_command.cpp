@@ -1,4 +1,5 @@
-// tarn disparity: whether both eyes of a drawn pair agree on where things in the water are, as the reference's pair does.
+// tarn disparity: whether both eyes of a drawn pair agree on where things in the water are, as the reference's pair
+// does.
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/picture_header.h"
@@ -12,11 +13,9 @@
 
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// One eye's reference, and the view that its header tells.
 struct TrueEye {
@@ -67,7 +66,7 @@ struct Row {
     const char* name;
     const char* unit;
     const char* doc;
-    double DisparityErrors::* member;
+    double DisparityErrors::*member;
 };
 constexpr std::array rows{
     Row{"median", "px", "Horizontal disparity error, median", &DisparityErrors::median},
@@ -93,8 +92,8 @@ nlohmann::json toJson(const DisparityErrors& errors)
 
 void print(ShownBy way, const DisparityErrors& errors)
 {
-    fmt::print("  {}: {} pixels of the left picture, {} of them compared\n", shownByNames[static_cast<std::size_t>(way)],
-               errors.pixels, errors.compared);
+    fmt::print("  {}: {} pixels of the left picture, {} of them compared\n",
+               shownByNames[static_cast<std::size_t>(way)], errors.pixels, errors.compared);
     for (const Row& row : rows)
         if (const double value = errors.*row.member; !std::isnan(value))
             fmt::print("    {:<20}{:>12.5g} {:<4} {}\n", row.name, value, row.unit, row.doc);
@@ -106,8 +105,10 @@ void writeMap(const DisparityCommand& command, const Image& map, std::map<std::s
     header["tarn:error"] = "disparity";
     header["tarn:error-unit"] = "px";
     header["tarn:error-scale"] = fmt::format("{}", command.scale);
-    if (command.out.extension() == ".exr") writeImage(command.out, map, header, {"Y"});
-    else writeImage(command.out, heatPicture(map, 0.0, command.scale), header);
+    if (command.out.extension() == ".exr")
+        writeImage(command.out, map, header, {"Y"});
+    else
+        writeImage(command.out, heatPicture(map, 0.0, command.scale), header);
 }
 
 } // namespace
@@ -133,14 +134,12 @@ void run(const DisparityCommand& command)
                         {"time", left.view.time},
                         {"size", {left.picture.size.x, left.picture.size.y}},
                         {"settings", nlohmann::json::parse(settingsJson(stage.settings))}};
-    for (std::size_t way = 0; way < errors.size(); ++way)
-        json[shownByNames[way]] = toJson(errors[way]);
+    for (std::size_t way = 0; way < errors.size(); ++way) json[shownByNames[way]] = toJson(errors[way]);
     writeJson(command.json, json);
     if (command.json == "-") return;
     fmt::print("{} at {} s, {}x{} pixels an eye\n", left.view.camera.name, left.view.time, left.picture.size.x,
                left.picture.size.y);
-    for (std::size_t way = 0; way < errors.size(); ++way)
-        print(static_cast<ShownBy>(way), errors[way]);
+    for (std::size_t way = 0; way < errors.size(); ++way) print(static_cast<ShownBy>(way), errors[way]);
 }
 
 } // namespace tarn

@@ -37,8 +37,7 @@ reference::TargetCamera targetCamera(const View& view)
 Settings asDrawn(Settings settings, const Scene& scene)
 {
     RefractionOptions::CameraMode& camera = settings.options.refraction.camera;
-    if (camera == RefractionOptions::CameraMode::flat &&
-        coarseEdgeUnderWater(scene, settings.water) > longestBedEdge)
+    if (camera == RefractionOptions::CameraMode::flat && coarseEdgeUnderWater(scene, settings.water) > longestBedEdge)
         camera = RefractionOptions::CameraMode::snell;
     return settings;
 }
@@ -47,8 +46,7 @@ Settings asDrawn(Settings settings, const Scene& scene)
 float leastClipOffset(const WaterBody& water)
 {
     float amplitude = 0.0f;
-    for (const Wave& wave : water.waves)
-        amplitude += std::abs(wave.amplitude);
+    for (const Wave& wave : water.waves) amplitude += std::abs(wave.amplitude);
     return std::max(std::ceil(1000.0f * amplitude - 1e-3f) / 1000.0f, 0.01f);
 }
 
@@ -75,17 +73,15 @@ struct Parts {
     {
         const WaterOptions& water = options().water;
         const bool focused = water.grid == WaterOptions::Grid::focused;
-        add("tessellation", {{"water.grid_size", "1025"}},
-            [n = water.gridSize, focused](ViewRequest& view) {
-                view.gridSize = n;
-                view.gridFocused = focused;
-            });
+        add("tessellation", {{"water.grid_size", "1025"}}, [n = water.gridSize, focused](ViewRequest& view) {
+            view.gridSize = n;
+            view.gridFocused = focused;
+        });
         const int normals = water.normals == WaterOptions::Normals::vertex ? water.gridSize : 0;
-        add("normals of vertices", {{"water.normals", "pixel"}},
-            [normals, focused](ViewRequest& view) {
-                view.normalGridSize = normals;
-                view.gridFocused = focused;
-            });
+        add("normals of vertices", {{"water.normals", "pixel"}}, [normals, focused](ViewRequest& view) {
+            view.normalGridSize = normals;
+            view.gridFocused = focused;
+        });
         add("waves below a pixel", {{"water.filter_waves", "true"}, {"reflection.facets", "five"}});
     }
 
@@ -110,14 +106,11 @@ struct Parts {
                     view.approximations.planarRefraction = planar;
                 };
         }
-        add("moved camera's coverage", {{"refraction.enabled", "true"}, {"refraction.camera", "flat"}},
-            coverage);
-        add("intersection",
-            {{"refraction.method", "iterative"}, {"refraction.steps", atLeast(24, refraction.steps)}},
+        add("moved camera's coverage", {{"refraction.enabled", "true"}, {"refraction.camera", "flat"}}, coverage);
+        add("intersection", {{"refraction.method", "iterative"}, {"refraction.steps", atLeast(24, refraction.steps)}},
             intersection);
         add("refraction texture",
-            {{"refraction.target_size", atLeast(2048, refraction.targetSize)},
-             {"refraction.depth", "depth32f"}},
+            {{"refraction.target_size", atLeast(2048, refraction.targetSize)}, {"refraction.depth", "depth32f"}},
             texels);
         if (isUnderwater()) add("rays that leave the water", {{"underwater.refraction", "exact"}});
     }
@@ -135,8 +128,7 @@ struct Parts {
             using Method = ReflectionOptions::Method;
             const bool searches = reflection.method == Method::iterative;
             if (searches || reflection.method == Method::distance)
-                lookup = [target, steps = searches ? reflection.steps : 0,
-                          c = reflection.distance](ViewRequest& view) {
+                lookup = [target, steps = searches ? reflection.steps : 0, c = reflection.distance](ViewRequest& view) {
                     view.approximations.reflection = target;
                     view.approximations.reflectionSteps = steps;
                     view.approximations.reflectionDistance = static_cast<double>(c);
@@ -160,10 +152,9 @@ struct Parts {
         if (water.fresnel == WaterOptions::Fresnel::table) {
             std::function<void(ViewRequest&)> lookup;
             if (!isUnderwater())
-                lookup = [table = optics::makeFresnelTable(settings.water.ior, water.fresnelTable,
-                                                           water.fresnelFilter)](ViewRequest& view) {
-                    view.approximations.fresnelTable = table;
-                };
+                lookup = [table =
+                              optics::makeFresnelTable(settings.water.ior, water.fresnelTable, water.fresnelFilter)](
+                             ViewRequest& view) { view.approximations.fresnelTable = table; };
             add("Fresnel's table", {{"water.fresnel", "exact"}}, lookup);
             return;
         }
@@ -191,10 +182,10 @@ struct Parts {
     {
         const CausticsOptions& caustics = options().caustics;
         const CausticsRegion region = causticsRegion(settings.water, camera, caustics);
-        const ViewRequest::CausticsTexture texture{
-            .rect = vec4(region.rect.centre, region.rect.halfExtent),
-            .texel = 2.0 * static_cast<double>(region.rect.halfExtent.x) / caustics.textureSize,
-            .filter = caustics.filter};
+        const ViewRequest::CausticsTexture texture{.rect = vec4(region.rect.centre, region.rect.halfExtent),
+                                                   .texel = 2.0 * static_cast<double>(region.rect.halfExtent.x) /
+                                                            caustics.textureSize,
+                                                   .filter = caustics.filter};
         add("caustics map",
             {{"caustics.enabled", "true"},
              {"caustics.method", "fetch"},
@@ -211,12 +202,10 @@ struct Parts {
         std::function<void(ViewRequest&)> shadows;
         if (sunlight.shadows && scene.sun) {
             reference::ShadowTexels map{.cascades = {}, .edge = sunlight.mapSize, .taps = sunlight.taps};
-            const SunVolume volume =
-                sunVolume(settings.water, worldBounds(scene), scene.sun->direction, sunlight);
+            const SunVolume volume = sunVolume(settings.water, worldBounds(scene), scene.sun->direction, sunlight);
             for (std::size_t i = 0; i < volume.cascades.size(); ++i)
-                map.cascades.push_back(
-                    {.rect = glm::dvec4(volume.cascades[i].centre, volume.cascades[i].halfExtent),
-                     .bias = static_cast<double>(shadowBias(volume, i, sunlight))});
+                map.cascades.push_back({.rect = glm::dvec4(volume.cascades[i].centre, volume.cascades[i].halfExtent),
+                                        .bias = static_cast<double>(shadowBias(volume, i, sunlight))});
             shadows = [map](ViewRequest& view) { view.approximations.shadows = map; };
         }
         add("shadow map",
@@ -242,8 +231,7 @@ struct Parts {
 
 } // namespace
 
-std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings, const Camera& camera,
-                                    ivec2 size)
+std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings, const Camera& camera, ivec2 size)
 {
     Parts parts{scene, asDrawn(settings, scene), camera, size};
     parts.addSurface();
@@ -261,8 +249,7 @@ namespace {
 /// Frames and references of one view, and how much they differ.
 class BudgetBench {
 public:
-    BudgetBench(const BudgetRequest& request, Session& session, const reference::Tracer& tracer,
-                Progress* progress)
+    BudgetBench(const BudgetRequest& request, Session& session, const reference::Tracer& tracer, Progress* progress)
         : request_(request), session_(session), tracer_(tracer), progress_(progress),
           parts_(budgetParts(request.scene, request.settings, request.camera, request.size))
     {}
@@ -281,8 +268,7 @@ public:
 private:
     ViewRequest exactView() const
     {
-        return {
-            .camera = request_.camera, .time = request_.time, .size = request_.size, .approximations = {}};
+        return {.camera = request_.camera, .time = request_.time, .size = request_.size, .approximations = {}};
     }
     Image shown(const reference::Picture& picture) const
     {
@@ -295,8 +281,7 @@ private:
         const reference::ReferenceOptions& options = request_.reference;
         std::vector<reference::Tracer::Request> requests{{exactView(), options}};
         std::vector<double*> figures{nullptr};
-        const auto ask = [&](const ViewRequest& view, const reference::ReferenceOptions& how,
-                             double& figure) {
+        const auto ask = [&](const ViewRequest& view, const reference::ReferenceOptions& how, double& figure) {
             figure = 0.0;
             if (tracer_.identity(view, how) == tracer_.identity(exactView(), options)) return;
             requests.push_back({view, how});
@@ -327,8 +312,7 @@ private:
 
         std::vector<reference::Picture> pictures = tracer_.renderAll(requests, progress_);
         const Image truth = shown(pictures.front());
-        for (std::size_t i = 1; i < pictures.size(); ++i)
-            *figures[i] = meanOf(flipMap(truth, shown(pictures[i])));
+        for (std::size_t i = 1; i < pictures.size(); ++i) *figures[i] = meanOf(flipMap(truth, shown(pictures[i])));
         return std::move(pictures.front());
     }
 

@@ -25,8 +25,7 @@ struct BudgetPart {
 };
 
 /// The parts of these settings' frame, seen from this camera.
-std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings, const Camera& camera,
-                                    ivec2 size);
+std::vector<BudgetPart> budgetParts(const Scene& scene, const Settings& settings, const Camera& camera, ivec2 size);
 
 struct BudgetRequest {
     const Scene& scene;
@@ -34,9 +33,8 @@ struct BudgetRequest {
     Camera camera;
     double time = 0.0; ///< s
     ivec2 size{320, 240};
-    reference::ReferenceOptions reference; ///< of the pictures that approximations are put into
-    const reference::Picture* truth =
-        nullptr; ///< that frames are held against; null: a picture by these options
+    reference::ReferenceOptions reference;     ///< of the pictures that approximations are put into
+    const reference::Picture* truth = nullptr; ///< that frames are held against; null: a picture by these options
 };
 
 /// Pictures are as shown, without glow, which is an effect of the lens.

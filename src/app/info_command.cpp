@@ -8,11 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 nlohmann::json workaroundsJson()
 {
@@ -28,8 +26,7 @@ nlohmann::json machineJson()
     try {
         const auto context = gl::makeHeadlessContext({16, 16});
         const gl::Capabilities& limits = gl::capabilities();
-        return {{"devices", gl::headlessDevices()},
-                {"device", context->device()},
+        return {{"devices", gl::headlessDevices()},  {"device", context->device()},
                 {"renderer", context->renderer()},   {"opengl", context->version()},
                 {"software", context->isSoftware()}, {"max_texture_size", limits.maxTextureSize},
                 {"max_samples", limits.maxSamples},  {"max_anisotropy", limits.maxAnisotropy},
@@ -51,8 +48,7 @@ nlohmann::json sceneJson(const Scene& scene)
     for (const Instance& instance : instances)
         placedFaces += scene.meshes[static_cast<std::size_t>(instance.mesh)].indices.size() / 3;
     nlohmann::json cameras = nlohmann::json::array();
-    for (const Camera& camera : scene.cameras)
-        cameras.push_back(camera.name);
+    for (const Camera& camera : scene.cameras) cameras.push_back(camera.name);
     return {{"file", scene.file.string()},
             {"name", scene.name},
             {"vertices", vertices},
@@ -89,8 +85,7 @@ void run(const InfoCommand& command)
     }
     writeJson(command.json, info);
     if (command.json == "-") return;
-    for (const char* section : {"program", "machine", "scene"})
-        printSection(section, info[section]);
+    for (const char* section : {"program", "machine", "scene"}) printSection(section, info[section]);
 }
 
 } // namespace tarn

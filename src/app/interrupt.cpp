@@ -2,11 +2,9 @@
 
 #include <csignal>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
@@ -32,9 +30,6 @@ InterruptGuard::~InterruptGuard()
     std::signal(SIGTERM, SIG_DFL);
 }
 
-const std::atomic<bool>& InterruptGuard::flag()
-{
-    return interrupted;
-}
+const std::atomic<bool>& InterruptGuard::flag() { return interrupted; }
 
 } // namespace tarn

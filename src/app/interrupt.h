@@ -3,12 +3,10 @@
 
 #include <atomic>
 
-namespace tarn
-{
+namespace tarn {
 
 /// While it lives, SIGINT and SIGTERM set a flag instead of ending the program; a second one ends it.
-class InterruptGuard
-{
+class InterruptGuard {
 public:
     InterruptGuard();
     ~InterruptGuard();

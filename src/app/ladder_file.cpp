@@ -28,7 +28,8 @@ public:
             const std::string name(key.str());
             if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
             const std::string near = nearestName(name, keys);
-            fail(node, fmt::format("unknown key {}{}", name, near.empty() ? "" : fmt::format(", did you mean {}?", near)));
+            fail(node,
+                 fmt::format("unknown key {}{}", name, near.empty() ? "" : fmt::format(", did you mean {}?", near)));
         }
     }
 

@@ -5,11 +5,9 @@
 
 #include <utility>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// How often a draft is drawn while nothing but the waves moves: it takes from the cores that build programs.
 constexpr std::chrono::milliseconds restingInterval{500};
@@ -20,8 +18,7 @@ bool isSameView(const FrameRequest& a, const FrameRequest& b)
 }
 
 /// Ends the work that reports to it when the thread is to end.
-class StoppableProgress : public Progress
-{
+class StoppableProgress : public Progress {
 public:
     StoppableProgress(SharedProgress& shared, const StopSignal& stop) : shared_(shared), stop_(stop) {}
 
@@ -57,10 +54,7 @@ void LivePicture::stop()
     if (full_) full_->stop();
 }
 
-bool LivePicture::hasEnded() const
-{
-    return (!draft_ || draft_->hasEnded()) && (!full_ || full_->hasEnded());
-}
+bool LivePicture::hasEnded() const { return (!draft_ || draft_->hasEnded()) && (!full_ || full_->hasEnded()); }
 
 void LivePicture::show(const Scene& scene, const Settings& settings)
 {
@@ -81,8 +75,7 @@ std::unique_ptr<FrameSource> LivePicture::makeDraft(const StopSignal& stop)
     return draft;
 }
 
-std::unique_ptr<FrameSource> LivePicture::makeFull(const Scene& scene, const Settings& settings,
-                                                   const StopSignal& stop)
+std::unique_ptr<FrameSource> LivePicture::makeFull(const Scene& scene, const Settings& settings, const StopSignal& stop)
 {
     building_ = std::make_unique<StoppableProgress>(progress_, stop);
     std::shared_ptr<GpuScene> uploaded = uploadScene(scene, settings.options, building_.get());
@@ -140,10 +133,7 @@ void LivePicture::adopt(const FrameThread& thread, bool full)
     times_.note(full ? StartupEvent::fullPicture : StartupEvent::draftPicture);
 }
 
-bool LivePicture::isPending() const
-{
-    return (full_ && full_->isPending()) || (draft_ && draft_->isPending());
-}
+bool LivePicture::isPending() const { return (full_ && full_->isPending()) || (draft_ && draft_->isPending()); }
 
 void LivePicture::copyTo(const gl::Framebuffer& destination) const
 {

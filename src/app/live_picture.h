@@ -20,11 +20,9 @@
 #include <future>
 #include <memory>
 
-namespace tarn
-{
+namespace tarn {
 
-class LivePicture
-{
+class LivePicture {
 public:
     /// @param context of the thread that shows the picture; must outlive it
     /// @param wake called in another thread when there is something new
@@ -75,7 +73,7 @@ private:
     std::function<void()> wake_;
     StartupTimes times_;
     SharedProgress progress_;
-    std::unique_ptr<Progress> building_; ///< of the renderer's thread
+    std::unique_ptr<Progress> building_;          ///< of the renderer's thread
     std::unique_ptr<gl::Context> builderContext_; ///< until the renderer is made
     std::promise<DraftScene> promise_;
     std::future<DraftScene> snapshot_ = promise_.get_future();

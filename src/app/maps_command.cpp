@@ -10,11 +10,9 @@
 
 #include <algorithm>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// Straight over the water and all of it in the picture, so that both maps are asked for.
 Camera overWater(const WaterBody& water)
@@ -76,8 +74,7 @@ void run(const MapsCommand& command)
     }
     writeJson(command.json, {{"scene", stage.scene.file.string()}, {"maps", files}});
     if (command.json == "-") return;
-    for (const nlohmann::json& file : files)
-        fmt::print("{}\n", file.at("file").get<std::string>());
+    for (const nlohmann::json& file : files) fmt::print("{}\n", file.at("file").get<std::string>());
 }
 
 } // namespace tarn

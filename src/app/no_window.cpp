@@ -2,8 +2,7 @@
 #include "app/program.h"
 #include "base/error.h"
 
-namespace tarn
-{
+namespace tarn {
 
 void runViewer(const ViewCommand&)
 {

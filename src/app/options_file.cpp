@@ -4,11 +4,9 @@
 #include "base/error.h"
 #include "base/files.h"
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// A number, a truth value, a name or a row of numbers, as --set would take it; empty for anything else.
 std::string valueText(const toml::node& node)

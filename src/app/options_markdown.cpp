@@ -20,9 +20,7 @@ public:
     void field(const FieldInfo& /*info*/, float& /*value*/) override {}
     void field(const FieldInfo& /*info*/, vec2& /*value*/) override {}
     void field(const FieldInfo& /*info*/, vec3& /*value*/) override {}
-    void choiceIndex(const FieldInfo& /*info*/, int& /*value*/,
-                     std::span<const char* const> /*names*/) override
-    {}
+    void choiceIndex(const FieldInfo& /*info*/, int& /*value*/, std::span<const char* const> /*names*/) override {}
 };
 
 std::string replaced(std::string text, std::string_view what, std::string_view by)

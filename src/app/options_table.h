@@ -10,8 +10,8 @@
 
 namespace tarn {
 
-/// [refraction] steps = 3, or refraction.steps = 3, with the line of each. Throws UsageError for a value of a kind that no
-/// option has. @param file for messages
+/// [refraction] steps = 3, or refraction.steps = 3, with the line of each. Throws UsageError for a value of a kind that
+/// no option has. @param file for messages
 std::vector<Assignment> assignmentsOf(const toml::table& table, const std::string& file);
 
 } // namespace tarn

@@ -7,8 +7,7 @@
 #include <optional>
 #include <unistd.h>
 
-namespace tarn
-{
+namespace tarn {
 
 namespace fs = std::filesystem;
 
@@ -19,8 +18,7 @@ void requireWritableFolder(const fs::path& folder)
     if (!fs::exists(where, ignored)) throw Error("{}: no such folder; make it first", where.string());
     if (!fs::is_directory(where, ignored)) throw Error("{}: not a folder", where.string());
     if (access(where.c_str(), W_OK | X_OK) != 0)
-        throw Error("{}: this folder cannot be written; choose another or change its permissions",
-                    where.string());
+        throw Error("{}: this folder cannot be written; choose another or change its permissions", where.string());
 }
 
 void requireWritablePicture(const fs::path& file)
@@ -33,8 +31,7 @@ void requireWritablePicture(const fs::path& file)
     requireWritableFolder(file.parent_path());
 }
 
-namespace
-{
+namespace {
 
 /// "%d" or "%0Nd" in a pattern.
 struct NumberPlace {
@@ -49,8 +46,7 @@ std::optional<NumberPlace> findNumber(const std::string& pattern, std::size_t fr
         int digits = 0;
         if (end < pattern.size() && pattern[end] == '0') {
             ++end;
-            if (end < pattern.size() && pattern[end] >= '1' && pattern[end] <= '9')
-                digits = pattern[end++] - '0';
+            if (end < pattern.size() && pattern[end] >= '1' && pattern[end] <= '9') digits = pattern[end++] - '0';
         }
         if (end < pattern.size() && pattern[end] == 'd') return NumberPlace{at, end + 1, digits};
     }
@@ -64,11 +60,9 @@ std::vector<fs::path> sequenceFiles(const std::string& pattern, int frames)
     const std::optional<NumberPlace> number = findNumber(pattern, 0);
     if (!number) {
         if (frames == 1) return {pattern};
-        throw UsageError("--out {}: {} frames need a number in the name, such as frame_%04d.png", pattern,
-                         frames);
+        throw UsageError("--out {}: {} frames need a number in the name, such as frame_%04d.png", pattern, frames);
     }
-    if (findNumber(pattern, number->end))
-        throw UsageError("--out {}: only one %d may stand in the name", pattern);
+    if (findNumber(pattern, number->end)) throw UsageError("--out {}: only one %d may stand in the name", pattern);
     std::vector<fs::path> files;
     for (int frame = 0; frame < frames; ++frame)
         files.emplace_back(pattern.substr(0, number->begin) + fmt::format("{:0{}}", frame, number->digits) +
@@ -87,8 +81,7 @@ std::string fileNameFrom(const std::string& name)
             result += '-';
         }
     }
-    while (!result.empty() && result.back() == '-')
-        result.pop_back();
+    while (!result.empty() && result.back() == '-') result.pop_back();
     result.erase(0, result.find_first_not_of('.')); // never hidden, never ".."
     return result.empty() ? "unnamed" : result;
 }

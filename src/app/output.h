@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Throws UsageError when `file` does not end in .png or .exr, and Error when its folder does not exist or
 /// cannot be written, or when `file` is a folder.

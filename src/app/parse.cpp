@@ -7,11 +7,9 @@
 #include <cmath>
 #include <optional>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr int maxEdge = 16384;
 
@@ -42,8 +40,7 @@ ivec2 parseSize(std::string_view text, std::string_view flag)
         if (width && height && *width >= 1 && *height >= 1 && *width <= maxEdge && *height <= maxEdge)
             return {*width, *height};
     }
-    throw UsageError("{} {}: give WIDTHxHEIGHT in pixels, each from 1 to {}, such as 1024x768", flag, text,
-                     maxEdge);
+    throw UsageError("{} {}: give WIDTHxHEIGHT in pixels, each from 1 to {}, such as 1024x768", flag, text, maxEdge);
 }
 
 vec3 parseVec3(std::string_view text, std::string_view flag)

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 /// "640x480"; each edge from 1 to 16384 pixels.
 ivec2 parseSize(std::string_view text, std::string_view flag);

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 std::map<std::string, std::string> pictureHeader(const Stage& stage, const Camera& camera, double time)
 {

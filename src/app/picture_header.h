@@ -7,11 +7,10 @@
 #include <map>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
-/// "tarn:version", "tarn:scene", "tarn:camera" (JSON: name, eye, target, up, vertical_fov_degrees, and lens_shift where it
-/// is not 0), "tarn:time" and "tarn:settings" (JSON of every option).
+/// "tarn:version", "tarn:scene", "tarn:camera" (JSON: name, eye, target, up, vertical_fov_degrees, and lens_shift where
+/// it is not 0), "tarn:time" and "tarn:settings" (JSON of every option).
 std::map<std::string, std::string> pictureHeader(const Stage& stage, const Camera& camera, double time);
 
 } // namespace tarn

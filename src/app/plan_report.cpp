@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace tarn
-{
+namespace tarn {
 
 nlohmann::json toJson(const FramePlan& plan)
 {
@@ -42,8 +41,8 @@ std::string toTable(const FramePlan& plan)
     for (std::size_t i = 0; i < passCount; ++i) {
         const PassPlan& pass = plan.passes[i];
         const std::string size = pass.wanted ? fmt::format("{}x{}", pass.size.x, pass.size.y) : "";
-        text += fmt::format("{:<12}{:<5}{:<12}{}", passName(static_cast<PassId>(i)),
-                            pass.wanted ? "yes" : "no", size, pass.reason);
+        text += fmt::format("{:<12}{:<5}{:<12}{}", passName(static_cast<PassId>(i)), pass.wanted ? "yes" : "no", size,
+                            pass.reason);
         if (!pass.dependsOn.empty()) text += fmt::format(" (reads {})", pass.dependsOn);
         text += '\n';
     }

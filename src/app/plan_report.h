@@ -7,8 +7,7 @@
 
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 nlohmann::json toJson(const FramePlan& plan);
 /// One line a pass: its name, yes or no, the size of its target, and why.

@@ -14,9 +14,9 @@ std::vector<std::string> presetNames()
     const std::vector<std::string> order{"fast", "low", "medium", "high", "best"};
     std::vector<std::string> names;
     std::error_code ignored; // no folder: no presets
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(projectRoot() / "assets" / "presets", ignored))
-        if (entry.path().extension() == ".toml" && entry.path().stem() != "ladder") names.push_back(entry.path().stem().string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(projectRoot() / "assets" / "presets", ignored))
+        if (entry.path().extension() == ".toml" && entry.path().stem() != "ladder")
+            names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     const auto rank = [&](const std::string& name) { return std::find(order.begin(), order.end(), name); };
     std::stable_sort(names.begin(), names.end(),
@@ -38,9 +38,10 @@ fs::path presetFile(const std::string& name)
 MachinePreset presetForMachine(const std::string& renderer, bool isSoftware)
 {
     if (isSoftware) return {"fast", fmt::format("{} draws on the processor, so the preset is fast", renderer)};
-    return {"high", fmt::format("{} is a graphics card, so the preset is high, the same as for software: none was measured "
-                                "on a card",
-                                renderer)};
+    return {"high",
+            fmt::format("{} is a graphics card, so the preset is high, the same as for software: none was measured "
+                        "on a card",
+                        renderer)};
 }
 
 } // namespace tarn

@@ -15,8 +15,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace tarn
-{
+namespace tarn {
 
 void writeJson(const std::string& file, const nlohmann::json& json)
 {
@@ -37,13 +36,9 @@ void requireWritableJson(const std::string& file)
     requireWritableFolder(std::filesystem::path(file).parent_path());
 }
 
-void run(const PrintCommand& command)
-{
-    fmt::print("{}", command.text);
-}
+void run(const PrintCommand& command) { fmt::print("{}", command.text); }
 
-namespace
-{
+namespace {
 
 /// Rows of one group together, in the order in which groups first appear.
 std::vector<FieldRow> groupedRows(const FieldTree& tree)
@@ -52,13 +47,9 @@ std::vector<FieldRow> groupedRows(const FieldTree& tree)
     std::vector<std::string> groups;
     const auto groupOf = [](const FieldRow& row) { return row.key.substr(0, row.key.find('.')); };
     for (const FieldRow& row : rows)
-        if (std::find(groups.begin(), groups.end(), groupOf(row)) == groups.end())
-            groups.push_back(groupOf(row));
-    const auto rank = [&](const FieldRow& row) {
-        return std::find(groups.begin(), groups.end(), groupOf(row));
-    };
-    std::stable_sort(rows.begin(), rows.end(),
-                     [&](const FieldRow& a, const FieldRow& b) { return rank(a) < rank(b); });
+        if (std::find(groups.begin(), groups.end(), groupOf(row)) == groups.end()) groups.push_back(groupOf(row));
+    const auto rank = [&](const FieldRow& row) { return std::find(groups.begin(), groups.end(), groupOf(row)); };
+    std::stable_sort(rows.begin(), rows.end(), [&](const FieldRow& a, const FieldRow& b) { return rank(a) < rank(b); });
     return rows;
 }
 
@@ -87,8 +78,7 @@ void run(const OptionsCommand& command)
     }
     fmt::print("{:<31}{:<8}{:<12}{:<28}{:<10}{}\n", "key", "type", "default", "range", "unit", "what it is");
     for (const FieldRow& row : rows)
-        fmt::print("{:<31}{:<8}{:<12}{:<28}{:<10}{}\n", row.key, row.type, row.value, row.range, row.unit,
-                   row.doc);
+        fmt::print("{:<31}{:<8}{:<12}{:<28}{:<10}{}\n", row.key, row.type, row.value, row.range, row.unit, row.doc);
 }
 
 void run(const ExplainCommand& command)
@@ -101,8 +91,7 @@ void run(const ExplainCommand& command)
     }
     const Camera camera = chooseCamera(stage.scene, command.view.camera);
     std::optional<DepthComplexity> complexity;
-    if (wantsDepthComplexity(stage.settings.options))
-        complexity = depthComplexity(stage.scene, stage.settings.water);
+    if (wantsDepthComplexity(stage.settings.options)) complexity = depthComplexity(stage.scene, stage.settings.water);
     const Options& options = stage.settings.options;
     const WaterBody& water = stage.settings.water;
     const Sight sight = lookAround(listBoxes(stage.scene), stage.scene, water, camera, command.view.size, options,

@@ -9,11 +9,9 @@
 #include <new>
 #include <type_traits>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 int fail(std::string message, int status)
 {
@@ -35,7 +33,8 @@ int runProgram(const std::vector<std::string>& arguments, const std::function<vo
         const Command command = parseCommandLine(arguments);
         if (const auto* viewCommand = std::get_if<ViewCommand>(&command)) {
             if (!viewCommand->scene.device.empty())
-                throw UsageError("--device is for what draws without a window; a window is on the device of its screen");
+                throw UsageError(
+                    "--device is for what draws without a window; a window is on the device of its screen");
             view(*viewCommand);
         } else {
             std::visit(runHeadless, command);

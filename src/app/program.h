@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 struct ViewCommand;
 
@@ -15,7 +14,6 @@ void runViewer(const ViewCommand& command);
 
 /// 0: good; 1: failed; 2: wrong usage. A failure is one line on standard error, "tarn: error: …".
 /// @param arguments without the program's name   @param view what the view command does
-int runProgram(const std::vector<std::string>& arguments,
-               const std::function<void(const ViewCommand&)>& view);
+int runProgram(const std::vector<std::string>& arguments, const std::function<void(const ViewCommand&)>& view);
 
 } // namespace tarn

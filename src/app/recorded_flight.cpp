@@ -52,8 +52,7 @@ std::vector<RecordedInput> recordFlight(std::size_t cameras, double seconds)
 
 void RecordedPilot::take(std::span<const RecordedInput> inputs, double time)
 {
-    for (const RecordedInput& input : inputs)
-        apply(input);
+    for (const RecordedInput& input : inputs) apply(input);
     camera_.move(keys_.direction(), keys_.fast(), time - last_);
     last_ = time;
 }

@@ -13,11 +13,9 @@
 
 #include <optional>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// Beside the picture, so that it is found again by whoever asks for the same picture.
 std::filesystem::path unfinishedFile(const std::filesystem::path& out)
@@ -37,17 +35,14 @@ struct Shot {
 std::vector<Shot> shotsOf(const ReferenceCommand& command, const Camera& camera, const StereoOptions& stereo)
 {
     switch (stereo.output) {
-    case StereoOptions::Output::off:
-        return {{camera, command.out, std::nullopt}};
-    case StereoOptions::Output::pair:
-        break;
+    case StereoOptions::Output::off: return {{camera, command.out, std::nullopt}};
+    case StereoOptions::Output::pair: break;
     case StereoOptions::Output::sideBySide:
     case StereoOptions::Output::anaglyph:
         throw Error("{}: a reference holds what one eye sees; set stereo.output=pair for two, or off", command.out);
     }
     std::vector<Shot> shots;
-    for (const Eye eye : bothEyes)
-        shots.push_back({eyeCamera(camera, stereo, eye), eyeFile(command.out, eye), eye});
+    for (const Eye eye : bothEyes) shots.push_back({eyeCamera(camera, stereo, eye), eyeFile(command.out, eye), eye});
     return shots;
 }
 
@@ -69,8 +64,10 @@ void write(const Stage& stage, const ReferenceCommand& command, const Shot& shot
 {
     picture.metadata.merge(pictureHeader(stage, shot.camera, command.view.time));
     if (shot.eye) picture.metadata["tarn:eye"] = eyeName(*shot.eye);
-    if (shot.out.extension() == ".exr") reference::writePicture(shot.out, picture);
-    else writeImage(shot.out, displayPicture(picture, stage.settings.options.frame), picture.metadata);
+    if (shot.out.extension() == ".exr")
+        reference::writePicture(shot.out, picture);
+    else
+        writeImage(shot.out, displayPicture(picture, stage.settings.options.frame), picture.metadata);
     std::error_code ignored; // there is none when the work was short
     std::filesystem::remove(unfinishedFile(shot.out), ignored);
 }

@@ -8,11 +8,9 @@
 
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 const std::string& headerText(const reference::Picture& picture, const char* key, const std::filesystem::path& file)
 {

@@ -8,8 +8,7 @@
 
 #include <filesystem>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Where a reference was seen from, and when.
 struct ReferenceView {

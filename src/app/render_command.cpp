@@ -13,11 +13,9 @@
 
 #include <set>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 struct Shot {
     Camera camera;
@@ -43,10 +41,9 @@ std::vector<Shot> cameraShots(const RenderCommand& command, const Scene& scene)
         arguments.name = named.name;
         const std::string stem = fileNameFrom(named.name);
         std::string name = stem;
-        for (int i = 2; !taken.insert(name).second; ++i)
-            name = fmt::format("{}-{}", stem, i);
-        shots.push_back({chooseCamera(scene, arguments), command.view.time,
-                         std::filesystem::path(command.out) / (name + ".png")});
+        for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}-{}", stem, i);
+        shots.push_back(
+            {chooseCamera(scene, arguments), command.view.time, std::filesystem::path(command.out) / (name + ".png")});
     }
     return shots;
 }
@@ -66,9 +63,10 @@ void requireWritable(const RenderCommand& command)
 void requireRadiance(const Settings& settings, const Shot& shot)
 {
     if (settings.options.stereo.output == StereoOptions::Output::anaglyph && shot.file.extension() == ".exr")
-        throw Error("{}: an anaglyph is made of what a display shows; write a .png, or set stereo.output=side_by_side or "
-                    "pair",
-                    shot.file.string());
+        throw Error(
+            "{}: an anaglyph is made of what a display shows; write a .png, or set stereo.output=side_by_side or "
+            "pair",
+            shot.file.string());
 }
 
 void requireClean(const Renderer& renderer, const Shot& shot)
@@ -76,10 +74,8 @@ void requireClean(const Renderer& renderer, const Shot& shot)
     for (const BadPixels& bad : renderer.badPixels())
         if (bad.any())
             throw Error("{}: pass {} made {} NaN, {} infinite and {} negative values (camera {}, time {} s)",
-                        shot.file.string(), bad.pass, bad.nan, bad.infinite, bad.negative, shot.camera.name,
-                        shot.time);
-    if (gl::debugErrorCount() > 0)
-        throw Error("{}: OpenGL reported: {}", shot.file.string(), gl::lastDebugError());
+                        shot.file.string(), bad.pass, bad.nan, bad.infinite, bad.negative, shot.camera.name, shot.time);
+    if (gl::debugErrorCount() > 0) throw Error("{}: OpenGL reported: {}", shot.file.string(), gl::lastDebugError());
 }
 
 /// What a picture's header says of the view it shows.
@@ -115,18 +111,13 @@ std::vector<std::filesystem::path> writePictures(const Renderer& renderer, const
 nlohmann::json statsJson(const FrameStats& stats, const Shot& shot, const std::vector<std::filesystem::path>& files)
 {
     std::vector<std::string> names;
-    for (const std::filesystem::path& file : files)
-        names.push_back(file.string());
-    nlohmann::json json{{"file", names.front()},
-                        {"files", names},
-                        {"camera", shot.camera.name},
-                        {"time", shot.time},
-                        {"triangles", stats.triangles()},
-                        {"passes", nlohmann::json::array()},
+    for (const std::filesystem::path& file : files) names.push_back(file.string());
+    nlohmann::json json{{"file", names.front()},          {"files", names},
+                        {"camera", shot.camera.name},     {"time", shot.time},
+                        {"triangles", stats.triangles()}, {"passes", nlohmann::json::array()},
                         {"plan", toJson(stats.plan)}};
     for (const FrameStats::Pass& pass : stats.passes)
-        json["passes"].push_back(
-            {{"name", pass.name}, {"triangles", pass.triangles}, {"draw_calls", pass.drawCalls}});
+        json["passes"].push_back({{"name", pass.name}, {"triangles", pass.triangles}, {"draw_calls", pass.drawCalls}});
     return json;
 }
 
@@ -140,8 +131,7 @@ void run(const RenderCommand& command)
     const Stage stage = loadStage(command.scene, &progress);
     const std::vector<Shot> shots =
         command.allCameras ? cameraShots(command, stage.scene) : sequenceShots(command, stage.scene);
-    for (const Shot& shot : shots)
-        requireRadiance(stage.settings, shot);
+    for (const Shot& shot : shots) requireRadiance(stage.settings, shot);
     Session session(stage, presentedSize(command.view.size, stage.settings.options.stereo.output), &progress);
     Renderer& renderer = session.renderer();
     renderer.setChecking(command.check);
@@ -156,8 +146,7 @@ void run(const RenderCommand& command)
         const Shot& shot = shots[i];
         progress.report(static_cast<double>(i) / static_cast<double>(shots.size()),
                         "rendering " + shot.file.filename().string());
-        const FrameStats& stats =
-            renderer.render({shot.camera, shot.time, command.view.size, command.debugView});
+        const FrameStats& stats = renderer.render({shot.camera, shot.time, command.view.size, command.debugView});
         if (command.check) requireClean(renderer, shot);
         const auto files = writePictures(renderer, command, stage, shot);
         json["frames"].push_back(statsJson(stats, shot, files));
@@ -165,8 +154,7 @@ void run(const RenderCommand& command)
     }
     writeJson(command.json, json);
     if (command.json != "-")
-        for (const std::filesystem::path& file : written)
-            fmt::print("{}\n", file.string());
+        for (const std::filesystem::path& file : written) fmt::print("{}\n", file.string());
 }
 
 } // namespace tarn

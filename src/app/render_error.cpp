@@ -13,11 +13,9 @@
 
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// The reference's view, in which the command line may replace parts at its own risk.
 ReferenceView viewOf(const RenderCommand& command, const reference::Picture& truth, const Scene& scene)
@@ -40,8 +38,7 @@ ReferenceView viewOf(const RenderCommand& command, const reference::Picture& tru
     return view;
 }
 
-void writeMap(const RenderCommand& command, const Image& map, double scale,
-              std::map<std::string, std::string> header)
+void writeMap(const RenderCommand& command, const Image& map, double scale, std::map<std::string, std::string> header)
 {
     const ErrorKindInfo& kind = infoOf(*command.error);
     header["tarn:error"] = kind.name;
@@ -105,8 +102,8 @@ void renderError(const RenderCommand& command)
                {"scale", scale},
                {"unit", kind.unit},
                {"figures", figuresJson(figures)},
-               {"water_pixels", {{"both", agreement.both}, {"only_here", agreement.onlyUsed},
-                                 {"only_reference", agreement.onlyTruth}}},
+               {"water_pixels",
+                {{"both", agreement.both}, {"only_here", agreement.onlyUsed}, {"only_reference", agreement.onlyTruth}}},
                {"settings", nlohmann::json::parse(settingsJson(stage.settings))}});
     if (command.json == "-") return;
     fmt::print("{}\n  error {} {}\n  full colour at {:g}{}{}; grey: not known\n", command.out, kind.name, kind.doc,

@@ -3,8 +3,7 @@
 
 #include "app/command_line.h"
 
-namespace tarn
-{
+namespace tarn {
 
 /// Renders the view of command.reference and writes the map of command.error to command.out. Throws Error when the
 /// reference cannot be read or has another size than the one asked for.

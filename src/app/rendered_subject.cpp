@@ -18,8 +18,8 @@ int longestInterval(const Options& options)
     return std::max({options.refraction.interval, options.reflection.interval, options.caustics.interval});
 }
 
-RenderedSubject::RenderedSubject(std::string name, Session& session, Settings settings,
-                                 const SubjectView& view, bool keepsPictures)
+RenderedSubject::RenderedSubject(std::string name, Session& session, Settings settings, const SubjectView& view,
+                                 bool keepsPictures)
     : name_(std::move(name)), session_(session), settings_(std::move(settings)), view_(view)
 {
     if (keepsPictures) return;
@@ -62,8 +62,7 @@ std::vector<BenchPass> RenderedSubject::drawPasses(int index)
     session_.profiler().setSynchronous(false);
     std::vector<BenchPass> passes;
     for (const gl::PassTime& time : session_.profiler().latest())
-        if (time.name != "frame")
-            passes.push_back({time.name, time.wallMs, time.cpuMs, triangles(time.name)});
+        if (time.name != "frame") passes.push_back({time.name, time.wallMs, time.cpuMs, triangles(time.name)});
     return passes;
 }
 

@@ -29,11 +29,12 @@ public:
     /// Keeps references to the session and the view.
     /// @param keepsPictures what stays as it is from frame to frame, a target or all of the picture, is no price of a
     ///        setting, and is drawn; true: it is kept, as the plan says
-    RenderedSubject(std::string name, Session& session, Settings settings, const SubjectView& view, bool keepsPictures = false);
+    RenderedSubject(std::string name, Session& session, Settings settings, const SubjectView& view,
+                    bool keepsPictures = false);
 
     std::string name() const override { return name_; }
-    /// Draws a frame of its own after another subject's: targets of another size and maps that the other does without are
-    /// made there, and what the rules of the plan know of the last frame they know of one with the same settings.
+    /// Draws a frame of its own after another subject's: targets of another size and maps that the other does without
+    /// are made there, and what the rules of the plan know of the last frame they know of one with the same settings.
     void prepare(int index, bool followsItself) override;
     void draw(int index) override;
     std::vector<BenchPass> drawPasses(int index) override;

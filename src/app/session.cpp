@@ -3,15 +3,13 @@
 #include "base/error.h"
 #include "gl/api.h"
 
-namespace tarn
-{
+namespace tarn {
 
 Session::Session(const Stage& stage, ivec2 size, Progress* progress)
     : context_(gl::makeHeadlessContext(size)), shaders_(makeShaderLibrary())
 {
     requireDrawable(size);
-    renderer_ =
-        std::make_unique<Renderer>(stage.scene, stage.settings.options, *shaders_, profiler_, progress);
+    renderer_ = std::make_unique<Renderer>(stage.scene, stage.settings.options, *shaders_, profiler_, progress);
     renderer_->setOptions(stage.settings.options, stage.settings.water);
 }
 
@@ -22,9 +20,6 @@ void requireDrawable(ivec2 size)
         throw Error("--size {}x{}: this machine draws at most {}x{}", size.x, size.y, limit, limit);
 }
 
-void finishGpu()
-{
-    glFinish();
-}
+void finishGpu() { glFinish(); }
 
 } // namespace tarn

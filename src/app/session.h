@@ -9,11 +9,9 @@
 
 #include <memory>
 
-namespace tarn
-{
+namespace tarn {
 
-class Session
-{
+class Session {
 public:
     /// Keeps a reference to the stage.
     Session(const Stage& stage, ivec2 size, Progress* progress);

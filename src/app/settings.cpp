@@ -5,8 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace tarn
-{
+namespace tarn {
 
 FieldTree fieldTree(Settings& settings)
 {
@@ -16,15 +15,13 @@ FieldTree fieldTree(Settings& settings)
     };
 }
 
-namespace
-{
+namespace {
 
 /// A mistake in the scene file is the scene's, not the command line's.
 void applySceneOptions(const FieldTree& tree, const Scene& scene)
 {
     try {
-        for (const Assignment& assignment : scene.options)
-            assign(tree, assignment);
+        for (const Assignment& assignment : scene.options) assign(tree, assignment);
     } catch (const UsageError& error) {
         throw Error("{}", error.what());
     }
@@ -40,10 +37,8 @@ Settings resolveSettings(const Scene& scene, const SettingsArguments& arguments)
     std::vector<std::filesystem::path> files = arguments.files;
     if (!arguments.preset.empty()) files.insert(files.begin(), presetFile(arguments.preset));
     for (const std::filesystem::path& file : files)
-        for (const Assignment& assignment : readOptionsFile(file))
-            assign(tree, assignment);
-    for (const std::string& text : arguments.assignments)
-        assign(tree, parseAssignment(text, "--set"));
+        for (const Assignment& assignment : readOptionsFile(file)) assign(tree, assignment);
+    for (const std::string& text : arguments.assignments) assign(tree, parseAssignment(text, "--set"));
     return settings;
 }
 
@@ -52,9 +47,6 @@ void requireOneEye(const Settings& settings, const char* why)
     if (settings.options.stereo.isOn()) throw Error("stereo.output is on: {}; set stereo.output=off", why);
 }
 
-std::string settingsJson(Settings settings)
-{
-    return toJson(fieldTree(settings)).dump();
-}
+std::string settingsJson(Settings settings) { return toJson(fieldTree(settings)).dump(); }
 
 } // namespace tarn

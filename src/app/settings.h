@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Everything that --set, the panel and a result's JSON know by key. "water.*" holds both how the surface is
 /// drawn and the scene's body of water.

@@ -3,11 +3,9 @@
 #include "app/live_picture.h"
 #include "base/memory.h"
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr std::chrono::seconds lookInterval{1};
 constexpr std::size_t growth = 64 << 20; ///< bytes, before it is worth looking for free pages again

@@ -7,8 +7,7 @@
 #include "gl/context.h"
 #include "scene/scene_file.h"
 
-namespace tarn
-{
+namespace tarn {
 
 void choosePreset(SettingsArguments& settings, const gl::Context& context)
 {
@@ -35,11 +34,9 @@ Camera namedCamera(const Scene& scene, const std::string& name, const char* flag
     if (name.empty()) return scene.cameras.empty() ? Camera{} : scene.cameras.front();
     if (const Camera* camera = scene.findCamera(name)) return *camera;
     std::vector<std::string> names;
-    for (const Camera& camera : scene.cameras)
-        names.push_back(camera.name);
+    for (const Camera& camera : scene.cameras) names.push_back(camera.name);
     const std::string near = nearestName(name, names);
-    if (!near.empty())
-        throw UsageError("{} {}: no such camera in the scene, did you mean {}?", flag, name, near);
+    if (!near.empty()) throw UsageError("{} {}: no such camera in the scene, did you mean {}?", flag, name, near);
     throw UsageError("{} {}: no such camera in the scene; it has {}", flag, name, fmt::join(names, ", "));
 }
 
@@ -55,8 +52,7 @@ Camera chooseCamera(const Scene& scene, const CameraArguments& arguments)
     if (glm::length(forward) < 1e-6f) throw UsageError("--eye and --target are the same point; give two");
     const vec3 side = glm::cross(glm::normalize(forward), camera.up);
     if (!(glm::length(side) > 1e-4f * glm::length(camera.up)))
-        throw UsageError(
-            "the camera looks along its own up direction; give another --up, such as --up 0,0,-1");
+        throw UsageError("the camera looks along its own up direction; give another --up, such as --up 0,0,-1");
     return camera;
 }
 

@@ -5,11 +5,9 @@
 #include "base/progress.h"
 #include "scene/scene.h"
 
-namespace tarn
-{
+namespace tarn {
 
-namespace gl
-{
+namespace gl {
 class Context;
 }
 

@@ -7,11 +7,9 @@
 #include <sstream>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 double seconds(clockid_t clock)
 {

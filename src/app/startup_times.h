@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 enum class StartupEvent { context, draftPrograms, loaded, uploaded, draftPicture, programs, fullPicture };
 inline constexpr std::size_t startupEventCount = 7;
@@ -32,8 +31,7 @@ struct StartupTime {
 };
 
 /// From any thread.
-class StartupTimes
-{
+class StartupTimes {
 public:
     /// The first time counts.
     void note(StartupEvent event);

@@ -1,13 +1,10 @@
 #include "app/stereo_files.h"
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
-template <typename T>
-std::vector<T> halfRows(const std::vector<T>& values, std::size_t row, std::size_t from)
+template <typename T> std::vector<T> halfRows(const std::vector<T>& values, std::size_t row, std::size_t from)
 {
     std::vector<T> half;
     half.reserve(values.size() / 2);

@@ -6,8 +6,7 @@
 
 #include <filesystem>
 
-namespace tarn
-{
+namespace tarn {
 
 /// "lake.png" for the left eye is "lake-left.png".
 std::filesystem::path eyeFile(const std::filesystem::path& file, Eye eye);

@@ -43,10 +43,7 @@ private:
     void (*before_)(int);
 };
 
-std::string titleOf(const Scene& scene)
-{
-    return scene.name.empty() ? scene.file.stem().string() : scene.name;
-}
+std::string titleOf(const Scene& scene) { return scene.name.empty() ? scene.file.stem().string() : scene.name; }
 
 /// What tells one scene from another that has its name: its file's text and how much there is in it.
 std::string contentOf(const Scene& scene)
@@ -58,8 +55,7 @@ std::string contentOf(const Scene& scene)
     }
     std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
     const auto add = [&hash](const std::string& text) {
-        for (const char c : text)
-            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     };
     add(readFile(scene.file));
     for (const GivenMap* map : {&scene.maps.bed, &scene.maps.afloat})
@@ -75,8 +71,7 @@ TradeSetup setupOf(const TradeCommand& command, const Stage& stage, const std::v
     std::vector<Preset> presets = command.sweeps.empty() ? loadPresets() : std::vector<Preset>{};
     if (isLadder) std::erase_if(presets, [](const Preset& preset) { return preset.name != "thesis"; }); // for `fast`
     setup.plan = planTrade({command.sweeps, command.grid, presets, command.presetsOnly, isLadder}, setup.describe);
-    for (const Camera& camera : views)
-        setup.views.push_back(camera.name);
+    for (const Camera& camera : views) setup.views.push_back(camera.name);
     setup.takesTurns = command.times.empty() && !isLadder; // few views, each of them timed
     setup.times = command.times;
     if (setup.times.empty()) setup.times = isLadder ? std::vector<double>{0.0} : std::vector<double>{0.0, 1.7};
@@ -96,36 +91,31 @@ std::string today()
     return fmt::format("{:%d %B %Y}", fmt::localtime(now));
 }
 
-std::string joined(const std::vector<std::string>& words)
-{
-    return fmt::format("{}", fmt::join(words, "; "));
-}
+std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, "; ")); }
 
-void writeResults(const TradeCommand& command, const Stage& stage, const TradeSetup& setup,
-                  const TradeStore& store, const TradeResults& results)
+void writeResults(const TradeCommand& command, const Stage& stage, const TradeSetup& setup, const TradeStore& store,
+                  const TradeResults& results)
 {
     const auto write = [&](const char* name, const std::string& text) {
         writeFile(command.out / name, text);
         fmt::print("{}\n", (command.out / name).string());
     };
     write("results.csv", toCsv(setup, results));
-    write("results.json", toJson(setup, results, command.commandLine)
-                                  .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
-                              "\n");
-    write("report.html",
-          tradeReport(setup, results, store, {titleOf(stage.scene), today(), command.commandLine}));
+    write("results.json",
+          toJson(setup, results, command.commandLine).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+              "\n");
+    write("report.html", tradeReport(setup, results, store, {titleOf(stage.scene), today(), command.commandLine}));
 }
 
-void writePresets(const TradeCommand& command, const Stage& stage, const TradeSetup& setup,
-                  const TradeResults& results)
+void writePresets(const TradeCommand& command, const Stage& stage, const TradeSetup& setup, const TradeResults& results)
 {
     for (const PresetPick& pick : pickPresets(setup, results)) {
         const PointResult& result = results.points[pick.point];
-        const std::vector<std::string> comment{
-            fmt::format("Preset {}: {}.", pick.name, measuredText(result.mean)),
-            fmt::format("Measured by tarn trade {}: {}, {}, mean of {}.", versionText(), titleOf(stage.scene),
-                        setup.about.at("size"), fmt::join(setup.views, ", ")),
-            fmt::format("On {}.", joined(results.machines))};
+        const std::vector<std::string> comment{fmt::format("Preset {}: {}.", pick.name, measuredText(result.mean)),
+                                               fmt::format("Measured by tarn trade {}: {}, {}, mean of {}.",
+                                                           versionText(), titleOf(stage.scene), setup.about.at("size"),
+                                                           fmt::join(setup.views, ", ")),
+                                               fmt::format("On {}.", joined(results.machines))};
         const std::filesystem::path file = command.writePresets / (pick.name + ".toml");
         writeFile(file, presetText(setup, result.point, comment));
         fmt::print("{}\n", file.string());
@@ -140,7 +130,8 @@ void writeLadder(const TradeCommand& command, const Stage& stage, const TradeSet
     ladder.machine = joined(results.machines);
     const std::vector<std::string> comment{
         "What the viewer's governor moves along (docs/governor.md). Costs are ratios to the first rung, which is the",
-        "scene's own settings; flip is the mean FLIP, wrong_hits the fraction of refracted rays that end 5 cm off or more.",
+        "scene's own settings; flip is the mean FLIP, wrong_hits the fraction of refracted rays that end 5 cm off or "
+        "more.",
         fmt::format("Measured by tarn trade {}: {}, {}, mean of {}.", versionText(), ladder.scene, ladder.size,
                     fmt::join(setup.views, ", "))};
     writeFile(command.writeLadder, ladderText(setup, ladder, comment));
@@ -155,12 +146,13 @@ TradeResults measure(const TradeCommand& command, const Stage& stage, const std:
         std::vector<double> times;
         for (std::size_t view = 0; view < views.size(); ++view)
             times.push_back(setup.times[setup.timesOf(view).front()]);
-        return makeTradeLab(stage, {.views = views,
-                                   .size = command.size,
-                                   .times = times,
-                                   .frames = command.frames,
-                                   .samples = command.samples,
-                                   .references = command.out / "references"},
+        return makeTradeLab(stage,
+                            {.views = views,
+                             .size = command.size,
+                             .times = times,
+                             .frames = command.frames,
+                             .samples = command.samples,
+                             .references = command.out / "references"},
                             &progress);
     }();
     TerminalProgress progress; // starts counting here
@@ -185,8 +177,8 @@ void run(const TradeCommand& command)
     requireOneEye(stage.settings, "errors are measured in one eye's picture");
     for (const std::string& sweep : command.sweeps)
         if (sweep.starts_with("stereo."))
-            throw UsageError("--sweep {}: errors are measured in one eye's picture; tarn bench --vary tells what two cost",
-                             sweep);
+            throw UsageError(
+                "--sweep {}: errors are measured in one eye's picture; tarn bench --vary tells what two cost", sweep);
     const std::size_t most = command.writeLadder.empty() ? mostViews : mostLadderViews;
     const std::vector<Camera> views = chooseViews(stage.scene, command.views, most, "--views");
     const TradeSetup setup = setupOf(command, stage, views);

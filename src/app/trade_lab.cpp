@@ -19,8 +19,7 @@ namespace tarn {
 Settings changedSettings(Settings settings, const Changes& changes, const std::string& origin)
 {
     const FieldTree tree = fieldTree(settings);
-    for (const auto& [key, value] : changes)
-        assign(tree, {key, value, origin});
+    for (const auto& [key, value] : changes) assign(tree, {key, value, origin});
     return settings;
 }
 
@@ -48,8 +47,7 @@ std::vector<Camera> chooseViews(const Scene& scene, const std::vector<std::strin
                                 const char* flag)
 {
     std::vector<Camera> views;
-    for (const std::string& name : names)
-        views.push_back(namedCamera(scene, name, flag));
+    for (const std::string& name : names) views.push_back(namedCamera(scene, name, flag));
     if (!views.empty()) return views;
     for (const Camera& camera : scene.cameras)
         if (views.size() < most) views.push_back(camera);
@@ -77,9 +75,9 @@ Price priceOf(const BenchResult& result, const BenchResult& base, bool skipsTarg
     price.median = skipsTargets ? summarise(result.frame.wallMs).mean : percentile(result.frame.wallMs, 0.5);
     price.p95 = percentile(result.frame.wallMs, 0.95);
     price.cpu = skipsTargets ? summarise(result.frame.cpuMs).mean : percentile(result.frame.cpuMs, 0.5);
-    price.ratio = skipsTargets ? totalRatio(result.frame.wallMs, base.frame.wallMs) : medianRatio(result.frame.wallMs, base.frame.wallMs);
-    for (const auto& [name, series] : result.passes)
-        price.passes.push_back({name, percentile(series.wallMs, 0.5)});
+    price.ratio = skipsTargets ? totalRatio(result.frame.wallMs, base.frame.wallMs)
+                               : medianRatio(result.frame.wallMs, base.frame.wallMs);
+    for (const auto& [name, series] : result.passes) price.passes.push_back({name, percentile(series.wallMs, 0.5)});
     return price;
 }
 
@@ -108,11 +106,12 @@ public:
         for (const TradePoint& point : points)
             subjects.push_back(
                 std::make_unique<RenderedSubject>(point.label, session_, settingsOf(point), subjectView));
-        const BenchReport report = runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 0}); // these warm themselves
+        const BenchReport report =
+            runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 0}); // these warm themselves
         std::vector<Price> prices;
         for (std::size_t i = 0; i < points.size(); ++i)
-            prices.push_back(priceOf(report.results[i], report.results.front(),
-                                     longestInterval(settingsOf(points[i]).options) > 1));
+            prices.push_back(
+                priceOf(report.results[i], report.results.front(), longestInterval(settingsOf(points[i]).options) > 1));
         return prices;
     }
 
@@ -147,10 +146,7 @@ public:
                              session_, truth_.tracer(), nullptr);
     }
 
-    std::string machine() const override
-    {
-        return fmt::format("{}; {}", session_.context().renderer(), machineText());
-    }
+    std::string machine() const override { return fmt::format("{}; {}", session_.context().renderer(), machineText()); }
 
 private:
     Settings settingsOf(const TradePoint& point) const
@@ -158,8 +154,8 @@ private:
         return changedSettings(stage_.settings, point.changes, point.label);
     }
 
-    /// Mean FLIP of the picture at the end of a flight towards it, while targets of earlier frames are looked up: of as many
-    /// flights as there are frames from one drawing to the next, each ending at another of these.
+    /// Mean FLIP of the picture at the end of a flight towards it, while targets of earlier frames are looked up: of as
+    /// many flights as there are frames from one drawing to the next, each ending at another of these.
     double flipInMotion(const Settings& settings, const Camera& camera, double time, int interval)
     {
         constexpr float metresPerFrame = 4.0f / 30.0f; // as the viewer flies

@@ -29,10 +29,10 @@ std::vector<Camera> chooseViews(const Scene& scene, const std::vector<std::strin
 
 struct LabArguments {
     std::vector<Camera> views;
-    ivec2 size{320, 240}; ///< pixels
-    std::vector<double> times; ///< of each view's pictures and of its first frame that is timed, s
-    int frames = 3;       ///< frames timed of each setting
-    int samples = 32;     ///< of the reference, through each pixel
+    ivec2 size{320, 240};             ///< pixels
+    std::vector<double> times;        ///< of each view's pictures and of its first frame that is timed, s
+    int frames = 3;                   ///< frames timed of each setting
+    int samples = 32;                 ///< of the reference, through each pixel
     std::filesystem::path references; ///< folder that keeps the reference's pictures; empty: none does
 };
 

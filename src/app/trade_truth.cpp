@@ -65,7 +65,8 @@ const reference::Picture& TradeTruth::picture(const Camera& camera, double time)
             return found != header.end() && found->second == value;
         };
         // Another scene, size or number of samples: it is traced again.
-        if (!is("tarn:reference", tracer_.identity(view, options_)) || !is("tarn:samples", fmt::format("{}", options_.samples)))
+        if (!is("tarn:reference", tracer_.identity(view, options_)) ||
+            !is("tarn:samples", fmt::format("{}", options_.samples)))
             picture.reset();
     }
     if (!picture) {
@@ -87,7 +88,8 @@ const TrueIrradiance& TradeTruth::lightFor(const CausticsMap& map, double time)
     const vec2 half = map.region.rect.halfExtent * 1.05f + 0.5f;
     const vec4 rect(map.region.rect.centre, half);
     constexpr double texelsAcross = 1024.0;
-    kept_->light = tracer_.lightOnBed(time, rect, 2.0 * static_cast<double>(half.x) / texelsAcross, mapPhotons, options_.seed);
+    kept_->light =
+        tracer_.lightOnBed(time, rect, 2.0 * static_cast<double>(half.x) / texelsAcross, mapPhotons, options_.seed);
     kept_->rect = rect;
     return kept_->light;
 }

@@ -13,9 +13,9 @@
 namespace tarn {
 
 struct TruthArguments {
-    ivec2 size{320, 240};          ///< pixels
-    int samples = 96;              ///< paths through each pixel
-    std::filesystem::path folder;  ///< keeps the pictures for the next run; empty: nowhere
+    ivec2 size{320, 240};         ///< pixels
+    int samples = 96;             ///< paths through each pixel
+    std::filesystem::path folder; ///< keeps the pictures for the next run; empty: nowhere
 };
 
 /// Traces a view when it is first asked for. Keeps one of them at a time: callers go view by view.

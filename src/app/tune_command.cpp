@@ -30,10 +30,9 @@ void requireReached(const TuneGoal& goal, const TuneOutcome& outcome)
 {
     if (outcome.reached) return;
     std::string changes;
-    for (const auto& [key, value] : outcome.best.point.changes)
-        changes += fmt::format(" --set {}={}", key, value);
-    throw Error("{} is out of reach here; the nearest of {} settings has {}:{}", goalText(goal),
-                outcome.tried, foundText(outcome.best), changes.empty() ? " the base" : changes);
+    for (const auto& [key, value] : outcome.best.point.changes) changes += fmt::format(" --set {}={}", key, value);
+    throw Error("{} is out of reach here; the nearest of {} settings has {}:{}", goalText(goal), outcome.tried,
+                foundText(outcome.best), changes.empty() ? " the base" : changes);
 }
 
 std::string fileText(const TuneCommand& command, const Stage& stage, const TradeSetup& setup,
@@ -60,27 +59,22 @@ void run(const TuneCommand& command)
     TradeSetup setup;
     setup.describe = describerOf(stage.settings);
     setup.plan = planTrade({{}, false, loadPresets()}, setup.describe);
-    for (const Camera& camera : views)
-        setup.views.push_back(camera.name);
+    for (const Camera& camera : views) setup.views.push_back(camera.name);
 
-    TuneRequest request{{command.maxError, command.budgetMs},
-                        {setup.plan.base()},
-                        {},
-                        setup.describe,
-                        views.size(),
-                        command.time};
-    for (const auto& [name, index] : setup.plan.presets)
-        addPoint(request.candidates, setup.plan.points[index]);
+    TuneRequest request{
+        {command.maxError, command.budgetMs}, {setup.plan.base()}, {}, setup.describe, views.size(), command.time};
+    for (const auto& [name, index] : setup.plan.presets) addPoint(request.candidates, setup.plan.points[index]);
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
         if (swept.sweep.with.empty()) request.sweeps.push_back(swept.sweep); // the search changes one option at a time
 
-    const auto lab = makeTradeLab(stage, {.views = views,
-                                           .size = command.size,
-                                           .times = std::vector<double>(views.size(), command.time),
-                                           .frames = command.frames,
-                                           .samples = command.samples,
-                                           .references = {}},
-                                   &progress);
+    const auto lab = makeTradeLab(stage,
+                                  {.views = views,
+                                   .size = command.size,
+                                   .times = std::vector<double>(views.size(), command.time),
+                                   .frames = command.frames,
+                                   .samples = command.samples,
+                                   .references = {}},
+                                  &progress);
     const TuneOutcome outcome = tune(request, *lab, &progress);
     requireReached(request.goal, outcome);
     const std::string text = fileText(command, stage, setup, outcome, lab->machine());

@@ -1,16 +1,9 @@
 #include "app/version.h"
 
-namespace tarn
-{
+namespace tarn {
 
-const char* versionText()
-{
-    return TARN_VERSION;
-}
+const char* versionText() { return TARN_VERSION; }
 
-const char* buildText()
-{
-    return TARN_BUILD;
-}
+const char* buildText() { return TARN_BUILD; }
 
 } // namespace tarn

@@ -1,8 +1,7 @@
 // Which Tarn this is.
 #pragma once
 
-namespace tarn
-{
+namespace tarn {
 
 /// "0.1.0"
 const char* versionText();

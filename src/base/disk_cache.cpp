@@ -87,10 +87,7 @@ std::uint64_t hashOf(std::string_view bytes)
 
 DiskCache::DiskCache(fs::path folder, std::uintmax_t mostBytes) : folder_(std::move(folder)), mostBytes_(mostBytes) {}
 
-fs::path DiskCache::fileOf(std::string_view key) const
-{
-    return folder_ / fmt::format("{:016x}", hashOf(key));
-}
+fs::path DiskCache::fileOf(std::string_view key) const { return folder_ / fmt::format("{:016x}", hashOf(key)); }
 
 std::optional<std::string> DiskCache::read(std::string_view key) const
 {
@@ -144,8 +141,10 @@ void DiskCache::makeRoom() const
         std::error_code error;
         if (!entry.is_regular_file(error)) continue;
         entries.push_back({entry.last_write_time(error), entry.file_size(error), entry.path()});
-        if (error) entries.pop_back(); // gone meanwhile
-        else total += entries.back().size;
+        if (error)
+            entries.pop_back(); // gone meanwhile
+        else
+            total += entries.back().size;
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.time < b.time; });
     for (const Entry& entry : entries) {

@@ -4,8 +4,8 @@
 //     if (const auto found = cache.read(key)) use(*found);
 //     else cache.write(key, bytes);
 //
-// What is read is what was written for this very key, or nothing: a damaged, cut or foreign file counts as missing. A cache
-// that cannot be written is none, and nobody is told. Several processes may use one.
+// What is read is what was written for this very key, or nothing: a damaged, cut or foreign file counts as missing. A
+// cache that cannot be written is none, and nobody is told. Several processes may use one.
 #pragma once
 
 #include <cstddef>

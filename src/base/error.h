@@ -18,8 +18,7 @@ public:
     template <typename... Args>
     explicit Error(fmt::format_string<Args...> format, Args&&... args)
         : std::runtime_error(fmt::format(format, std::forward<Args>(args)...))
-    {
-    }
+    {}
 };
 
 /// The command line, an option's name or its value is wrong: printed the same way, exit status 2.

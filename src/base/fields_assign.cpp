@@ -8,11 +8,9 @@
 #include <cmath>
 #include <numeric>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 std::string_view trimmed(std::string_view text)
 {
@@ -40,8 +38,7 @@ std::vector<std::string_view> split(std::string_view text, char separator)
     }
 }
 
-class AssignVisitor : public PathVisitor
-{
+class AssignVisitor : public PathVisitor {
 public:
     explicit AssignVisitor(const Assignment& assignment) : assignment_(assignment) {}
 
@@ -125,8 +122,7 @@ private:
         return value;
     }
 
-    template <int N, typename Vector>
-    void vectorField(const FieldInfo& info, Vector& value, const char* expected) const
+    template <int N, typename Vector> void vectorField(const FieldInfo& info, Vector& value, const char* expected) const
     {
         const auto parts = split(assignment_.value, ',');
         if (parts.size() != 1 && parts.size() != N) fail(expected);
@@ -192,8 +188,7 @@ std::string nearestName(std::string_view word, std::span<const std::string> cand
         std::size_t distance = editDistance(word, candidate);
         // "steps" for "refraction.steps": the group was forgotten.
         const auto dot = candidate.rfind('.');
-        if (dot != std::string::npos)
-            distance = std::min(distance, editDistance(word, candidate.substr(dot + 1)) + 1);
+        if (dot != std::string::npos) distance = std::min(distance, editDistance(word, candidate.substr(dot + 1)) + 1);
         if (distance < bestDistance) {
             bestDistance = distance;
             best = candidate;

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
 std::string rangeText(const FieldInfo& info)
 {
@@ -18,11 +17,9 @@ std::string rangeText(const FieldInfo& info)
     return "";
 }
 
-namespace
-{
+namespace {
 
-class ListVisitor : public PathVisitor
-{
+class ListVisitor : public PathVisitor {
 public:
     std::vector<FieldRow> rows;
 
@@ -47,13 +44,9 @@ private:
 };
 
 /// A float as a person would write it: 0.1, not 0.10000000149011612.
-double shortest(float value)
-{
-    return std::strtod(valueText(value).c_str(), nullptr);
-}
+double shortest(float value) { return std::strtod(valueText(value).c_str(), nullptr); }
 
-class JsonVisitor : public FieldVisitor
-{
+class JsonVisitor : public FieldVisitor {
 public:
     nlohmann::json root = nlohmann::json::object();
 
@@ -68,10 +61,7 @@ public:
     void field(const FieldInfo& info, bool& value) override { at(info) = value; }
     void field(const FieldInfo& info, int& value) override { at(info) = value; }
     void field(const FieldInfo& info, float& value) override { at(info) = shortest(value); }
-    void field(const FieldInfo& info, vec2& value) override
-    {
-        at(info) = {shortest(value.x), shortest(value.y)};
-    }
+    void field(const FieldInfo& info, vec2& value) override { at(info) = {shortest(value.x), shortest(value.y)}; }
     void field(const FieldInfo& info, vec3& value) override
     {
         at(info) = {shortest(value.x), shortest(value.y), shortest(value.z)};

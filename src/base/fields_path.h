@@ -6,12 +6,10 @@
 
 #include <fmt/format.h>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Keeps "group.subgroup." while a tree is visited.
-class PathVisitor : public FieldVisitor
-{
+class PathVisitor : public FieldVisitor {
 public:
     void enter(const char* group, const char*) override
     {
@@ -32,26 +30,11 @@ private:
     std::vector<std::size_t> ends_;
 };
 
-inline std::string valueText(bool value)
-{
-    return value ? "true" : "false";
-}
-inline std::string valueText(int value)
-{
-    return fmt::format("{}", value);
-}
-inline std::string valueText(float value)
-{
-    return fmt::format("{}", value);
-}
-inline std::string valueText(const vec2& value)
-{
-    return fmt::format("{},{}", value.x, value.y);
-}
-inline std::string valueText(const vec3& value)
-{
-    return fmt::format("{},{},{}", value.x, value.y, value.z);
-}
+inline std::string valueText(bool value) { return value ? "true" : "false"; }
+inline std::string valueText(int value) { return fmt::format("{}", value); }
+inline std::string valueText(float value) { return fmt::format("{}", value); }
+inline std::string valueText(const vec2& value) { return fmt::format("{},{}", value.x, value.y); }
+inline std::string valueText(const vec3& value) { return fmt::format("{},{},{}", value.x, value.y, value.z); }
 
 inline std::string joinNames(std::span<const char* const> names, const char* separator)
 {

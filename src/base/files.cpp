@@ -14,23 +14,18 @@
 #include <mutex>
 #include <system_error>
 
-namespace tarn
-{
+namespace tarn {
 
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-std::string reason()
-{
-    return std::generic_category().message(errno);
-}
+std::string reason() { return std::generic_category().message(errno); }
 
 bool isRoot(const fs::path& folder)
 {
@@ -53,8 +48,7 @@ std::string readFile(const fs::path& file)
 {
     std::error_code error;
     const auto status = fs::status(file, error);
-    if (status.type() == fs::file_type::not_found)
-        throw Error("{}: no such file; check the path", file.string());
+    if (status.type() == fs::file_type::not_found) throw Error("{}: no such file; check the path", file.string());
     if (fs::is_directory(status)) throw Error("{}: is a directory; name a file in it", file.string());
 
     const File handle(std::fopen(file.c_str(), "rb"));
@@ -64,8 +58,7 @@ std::string readFile(const fs::path& file)
     const auto size = fs::file_size(file, error);
     if (!error) text.reserve(static_cast<std::size_t>(size));
     char block[1 << 16];
-    while (const std::size_t count = std::fread(block, 1, sizeof block, handle.get()))
-        text.append(block, count);
+    while (const std::size_t count = std::fread(block, 1, sizeof block, handle.get())) text.append(block, count);
     if (std::ferror(handle.get())) throw Error("{}: cannot be read ({})", file.string(), reason());
     return text;
 }
@@ -128,8 +121,7 @@ fs::path projectRoot()
         if (folder == folder.root_path()) break;
     }
     if (isRoot(TARN_SOURCE_ROOT)) return TARN_SOURCE_ROOT;
-    throw Error(
-        "the folders shaders/ and assets/ were not found; set TARN_DATA to the folder that holds them");
+    throw Error("the folders shaders/ and assets/ were not found; set TARN_DATA to the folder that holds them");
 }
 
 } // namespace tarn

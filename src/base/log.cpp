@@ -7,11 +7,9 @@
 #include <atomic>
 #include <mutex>
 
-namespace tarn::log
-{
+namespace tarn::log {
 
-namespace
-{
+namespace {
 
 std::mutex captureMutex;
 std::vector<std::pair<const Capture*, std::vector<Capture::Message>>> captures; // the innermost is the last
@@ -32,24 +30,17 @@ spdlog::logger& logger()
 spdlog::level::level_enum spdlogLevel(Level level)
 {
     switch (level) {
-    case Level::debug:
-        return spdlog::level::debug;
-    case Level::info:
-        return spdlog::level::info;
-    case Level::warning:
-        return spdlog::level::warn;
-    case Level::error:
-        break;
+    case Level::debug: return spdlog::level::debug;
+    case Level::info: return spdlog::level::info;
+    case Level::warning: return spdlog::level::warn;
+    case Level::error: break;
     }
     return spdlog::level::err;
 }
 
 } // namespace
 
-void setLevel(Level level)
-{
-    lowest = level;
-}
+void setLevel(Level level) { lowest = level; }
 
 void write(Level level, std::string_view message)
 {

@@ -7,23 +7,15 @@
 #include <cmath>
 #include <cstdio>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-double clampFraction(double fraction)
-{
-    return std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
-}
+double clampFraction(double fraction) { return std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0; }
 
 /// Negative while the work so far says nothing about the rest.
 double secondsLeft(double elapsedSeconds, double fraction)
@@ -67,8 +59,8 @@ void TerminalProgress::report(double fraction, const std::string& what)
     const auto filled = static_cast<std::size_t>(std::lround(fraction * width));
     const std::string bar = std::string(filled, '#') + std::string(width - filled, ' ');
     const std::string left = timeLeft(secondsSince(start_), fraction);
-    const std::string line = fmt::format("[{}] {:3.0f} %  {}{}", bar, fraction * 100.0,
-                                         left.empty() ? "" : left + " left  ", what);
+    const std::string line =
+        fmt::format("[{}] {:3.0f} %  {}{}", bar, fraction * 100.0, left.empty() ? "" : left + " left  ", what);
     std::fprintf(stderr, "%s%.100s", clearLine, line.c_str());
     std::fflush(stderr);
 }

@@ -3,7 +3,8 @@
 
 namespace tarn {
 
-/// The calling thread runs when no other of its process or user wants the processor. Without effect where the system cannot.
+/// The calling thread runs when no other of its process or user wants the processor. Without effect where the system
+/// cannot.
 void lowerThreadPriority();
 
 } // namespace tarn

@@ -6,19 +6,16 @@
 
 #include <utility>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 // Uploads go through a target that no draw call looks at, so that the bindings of a vertex array stay.
 constexpr GLenum uploadTarget = GL_COPY_WRITE_BUFFER;
 
 } // namespace
 
-Buffer::Buffer(std::string label, Usage usage)
-    : object_(Object::Kind::buffer, std::move(label)), usage_(usage)
+Buffer::Buffer(std::string label, Usage usage) : object_(Object::Kind::buffer, std::move(label)), usage_(usage)
 {
     glBindBuffer(uploadTarget, object_.name());
     object_.announceLabel();
@@ -36,8 +33,7 @@ void Buffer::upload(const void* data, std::size_t bytes)
 void Buffer::subData(std::size_t offset, const void* data, std::size_t bytes)
 {
     if (offset > size_ || bytes > size_ - offset) {
-        throw Error("buffer \"{}\" holds {} bytes; {} bytes at {} reach past its end", label(), size_, bytes,
-                    offset);
+        throw Error("buffer \"{}\" holds {} bytes; {} bytes at {} reach past its end", label(), size_, bytes, offset);
     }
     glBindBuffer(uploadTarget, object_.name());
     count(Call::bufferUpload);

@@ -8,11 +8,9 @@
 #include <string>
 #include <type_traits>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-class Buffer
-{
+class Buffer {
 public:
     enum class Usage { constant, dynamic }; ///< written once, or every frame or so
 
@@ -44,16 +42,13 @@ private:
 };
 
 /// One std140 block, as T lays it out (shaders/shared/blocks.glsl), at one binding index.
-template <typename T> class UniformBuffer
-{
+template <typename T> class UniformBuffer {
 public:
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 16 == 0, "T must be laid out as std140");
 
     UniformBuffer() = default;
-    UniformBuffer(int binding, std::string label)
-        : buffer_(std::move(label), Buffer::Usage::dynamic), binding_(binding)
-    {
-    }
+    UniformBuffer(int binding, std::string label) : buffer_(std::move(label), Buffer::Usage::dynamic), binding_(binding)
+    {}
 
     /// Uploads and binds.
     void update(const T& value)

@@ -8,11 +8,9 @@
 #include <mutex>
 #include <string_view>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 Capabilities current;
 std::atomic<int> errorCount = 0;
@@ -24,8 +22,7 @@ void GLAPIENTRY receiveMessage(GLenum source, GLenum type, GLuint, GLenum, GLsiz
 {
     // The compiler's own complaints are reported by ShaderLibrary, with the names of the files.
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
-    const std::string message =
-        length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
+    const std::string message = length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
     if (type != GL_DEBUG_TYPE_ERROR) {
         log::debug("OpenGL: {}", message);
         return;
@@ -63,10 +60,9 @@ void loadFunctions(const std::string& origin)
         throw Error("{} gave a context, but its OpenGL functions cannot be loaded: {}", origin,
                     reinterpret_cast<const char*>(glewGetErrorString(code)));
     }
-    if (!glGetStringi || !glGenVertexArrays || !glUniformBlockBinding || !glTexImage2DMultisample ||
-        !glQueryCounter || !glVertexAttribDivisor) {
-        throw Error("{} gave a context without the functions of OpenGL 3.3; update the graphics driver",
-                    origin);
+    if (!glGetStringi || !glGenVertexArrays || !glUniformBlockBinding || !glTexImage2DMultisample || !glQueryCounter ||
+        !glVertexAttribDivisor) {
+        throw Error("{} gave a context without the functions of OpenGL 3.3; update the graphics driver", origin);
     }
     while (glGetError() != GL_NO_ERROR) {
         // GLEW asks questions that a core profile refuses.
@@ -103,18 +99,12 @@ Capabilities askCapabilities()
 const char* errorName(GLenum error)
 {
     switch (error) {
-    case GL_INVALID_ENUM:
-        return "invalid enum";
-    case GL_INVALID_VALUE:
-        return "invalid value";
-    case GL_INVALID_OPERATION:
-        return "invalid operation";
-    case GL_INVALID_FRAMEBUFFER_OPERATION:
-        return "invalid framebuffer operation";
-    case GL_OUT_OF_MEMORY:
-        return "out of memory";
-    default:
-        return "unknown error";
+    case GL_INVALID_ENUM: return "invalid enum";
+    case GL_INVALID_VALUE: return "invalid value";
+    case GL_INVALID_OPERATION: return "invalid operation";
+    case GL_INVALID_FRAMEBUFFER_OPERATION: return "invalid framebuffer operation";
+    case GL_OUT_OF_MEMORY: return "out of memory";
+    default: return "unknown error";
     }
 }
 
@@ -125,8 +115,7 @@ void Context::initialise(bool debug)
     loadFunctions(origin_);
     const int version = 10 * integer(GL_MAJOR_VERSION) + integer(GL_MINOR_VERSION);
     if (version < 33) {
-        throw Error("{} gives OpenGL {} on {}; Tarn needs 3.3", origin_, this->version(),
-                    string(GL_RENDERER));
+        throw Error("{} gives OpenGL {} on {}; Tarn needs 3.3", origin_, this->version(), string(GL_RENDERER));
     }
     current = askCapabilities();
     listen(debug);
@@ -140,35 +129,22 @@ void Context::listenOnce()
     listen(false);
 }
 
-std::string Context::renderer() const
-{
-    return string(GL_RENDERER);
-}
+std::string Context::renderer() const { return string(GL_RENDERER); }
 
-std::string Context::version() const
-{
-    return string(GL_VERSION);
-}
+std::string Context::version() const { return string(GL_VERSION); }
 
 bool Context::isSoftware() const
 {
     const std::string name = renderer();
-    for (const std::string_view software :
-         {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"}) {
+    for (const std::string_view software : {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"}) {
         if (name.find(software) != std::string::npos) return true;
     }
     return false;
 }
 
-const Capabilities& capabilities()
-{
-    return current;
-}
+const Capabilities& capabilities() { return current; }
 
-int debugErrorCount()
-{
-    return errorCount;
-}
+int debugErrorCount() { return errorCount; }
 
 std::string lastDebugError()
 {

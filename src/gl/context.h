@@ -12,11 +12,9 @@
 #include <utility>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-class Context
-{
+class Context {
 public:
     virtual ~Context() = default;
     Context(const Context&) = delete;
@@ -64,8 +62,8 @@ std::unique_ptr<Context> makeHeadlessContext(ivec2 size, bool debug = false);
 /// What headless contexts can be made on, in the order in which they are tried: "GPU 0 (/dev/dri/renderD128)",
 /// "Mesa surfaceless", "software". OSMesa knows nothing but "software".
 std::vector<std::string> headlessDevices();
-/// For every headless context from now on: a name, or a part of one in any case; "" takes the first that works. Throws Error
-/// when there is none of that name.
+/// For every headless context from now on: a name, or a part of one in any case; "" takes the first that works. Throws
+/// Error when there is none of that name.
 void chooseHeadlessDevice(std::string name);
 /// Whether it chooses this one.
 bool isChosenDevice(const std::string& name);
@@ -77,7 +75,7 @@ struct Capabilities {
     int maxSamples = 1;
     int maxTextureSize = 1024;
     int maxArrayLayers = 256;
-    bool llvmpipe = false;      ///< Mesa's software rasteriser: see gl/workarounds.h
+    bool llvmpipe = false; ///< Mesa's software rasteriser: see gl/workarounds.h
 };
 const Capabilities& capabilities();
 

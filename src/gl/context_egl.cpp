@@ -11,11 +11,9 @@
 #include <string_view>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 bool hasExtension(const char* list, std::string_view name)
 {
@@ -48,7 +46,8 @@ std::string gpuName(EGLDeviceEXT device, std::ptrdiff_t number)
     const auto queryString = load<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
     const char* extensions = queryString ? queryString(device, EGL_EXTENSIONS) : nullptr;
     const char* file = nullptr;
-    if (hasExtension(extensions, "EGL_EXT_device_drm_render_node")) file = queryString(device, EGL_DRM_RENDER_NODE_FILE_EXT);
+    if (hasExtension(extensions, "EGL_EXT_device_drm_render_node"))
+        file = queryString(device, EGL_DRM_RENDER_NODE_FILE_EXT);
     if (!file && hasExtension(extensions, "EGL_EXT_device_drm")) file = queryString(device, EGL_DRM_DEVICE_FILE_EXT);
     return file ? fmt::format("GPU {} ({})", number, file) : fmt::format("GPU {}", number);
 }
@@ -87,10 +86,10 @@ std::vector<Candidate> candidates()
     return list;
 }
 
-class EglContext : public Context
-{
+class EglContext : public Context {
 public:
-    EglContext(const Candidate& candidate, ivec2 size, bool debug) : Context("EGL"), device_(candidate.name), size_(size)
+    EglContext(const Candidate& candidate, ivec2 size, bool debug)
+        : Context("EGL"), device_(candidate.name), size_(size)
     {
         open(candidate);
         try {
@@ -161,8 +160,7 @@ private:
                                      debug ? EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR : 0,
                                      EGL_NONE};
         context_ = eglCreateContext(display_, config, shared, attributes);
-        if (context_ == EGL_NO_CONTEXT)
-            throw Error("no OpenGL 3.3 core context (error {:#x})", eglGetError());
+        if (context_ == EGL_NO_CONTEXT) throw Error("no OpenGL 3.3 core context (error {:#x})", eglGetError());
     }
 
     void close()
@@ -212,10 +210,9 @@ std::unique_ptr<Context> makeHeadlessContext(ivec2 size, bool debug)
             if (candidate.isGpu) note(brokenGpus, candidate, error);
         }
     }
-    throw Error(
-        "EGL gives no OpenGL 3.3 context without a window ({}); install Mesa's EGL (libegl1) or a graphics "
-        "driver, or use tarn-osmesa",
-        tried.empty() ? "it knows no headless platform" : tried);
+    throw Error("EGL gives no OpenGL 3.3 context without a window ({}); install Mesa's EGL (libegl1) or a graphics "
+                "driver, or use tarn-osmesa",
+                tried.empty() ? "it knows no headless platform" : tried);
 }
 
 } // namespace tarn::gl

@@ -17,14 +17,11 @@ extern "C" void (*glXGetProcAddressARB(const GLubyte* name))()
     return OSMesaGetProcAddress(reinterpret_cast<const char*>(name));
 }
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
-class OsmesaContext : public Context
-{
+class OsmesaContext : public Context {
 public:
     OsmesaContext(ivec2 size, bool debug) : Context("OSMesa"), size_(size)
     {
@@ -62,8 +59,7 @@ private:
     void create(OSMesaContext other)
     {
         isShared_ = other != nullptr;
-        if (size_.x < 1 || size_.y < 1)
-            throw Error("an OSMesa context needs a size, not {}x{}", size_.x, size_.y);
+        if (size_.x < 1 || size_.y < 1) throw Error("an OSMesa context needs a size, not {}x{}", size_.x, size_.y);
         const int attributes[] = {OSMESA_FORMAT,
                                   OSMESA_RGBA,
                                   OSMESA_DEPTH_BITS,
@@ -88,10 +84,7 @@ private:
 
 } // namespace
 
-std::vector<std::string> headlessDevices()
-{
-    return {"software"};
-}
+std::vector<std::string> headlessDevices() { return {"software"}; }
 
 std::unique_ptr<Context> makeHeadlessContext(ivec2 size, bool debug)
 {

@@ -51,8 +51,7 @@ struct Counters {
     Counters operator-(const Counters& earlier) const
     {
         Counters difference;
-        for (std::size_t i = 0; i < callCount; ++i)
-            difference.calls[i] = calls[i] - earlier.calls[i];
+        for (std::size_t i = 0; i < callCount; ++i) difference.calls[i] = calls[i] - earlier.calls[i];
         return difference;
     }
 };

@@ -2,16 +2,11 @@
 
 #include "gl/api.h"
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
-GLsync handle(void* sync)
-{
-    return static_cast<GLsync>(sync);
-}
+GLsync handle(void* sync) { return static_cast<GLsync>(sync); }
 
 } // namespace
 

@@ -2,14 +2,13 @@
 //
 //     fence.place();                    // here, after the commands; in the context that gave them
 //     if (fence.passed()) …             // in any context of the share group: asks, does not wait
-//     fence.holdBack();                 // what this context is given from now on runs after it; the caller does not wait
+//     fence.holdBack();                 // what this context is given from now on runs after it; the caller does not
+//     wait
 #pragma once
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-class Fence
-{
+class Fence {
 public:
     Fence() = default;
     ~Fence();

@@ -4,11 +4,9 @@
 
 #include <array>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 struct FormatInfo {
     const char* name;
@@ -35,32 +33,20 @@ constexpr std::array<FormatInfo, 14> infos = {{
 }};
 static_assert(infos.size() == static_cast<std::size_t>(Format::depth32f) + 1);
 
-const FormatInfo& info(Format format)
-{
-    return infos[static_cast<std::size_t>(format)];
-}
+const FormatInfo& info(Format format) { return infos[static_cast<std::size_t>(format)]; }
 
 } // namespace
 
-const char* formatName(Format format)
-{
-    return info(format).name;
-}
+const char* formatName(Format format) { return info(format).name; }
 
-int channelCount(Format format)
-{
-    return info(format).channels;
-}
+int channelCount(Format format) { return info(format).channels; }
 
 bool isDepth(Format format)
 {
     return format == Format::depth16 || format == Format::depth24 || format == Format::depth32f;
 }
 
-GLenum internalFormat(Format format)
-{
-    return info(format).internal;
-}
+GLenum internalFormat(Format format) { return info(format).internal; }
 
 GLenum pixelFormat(Format format, int channels)
 {

@@ -1,8 +1,7 @@
 // The pixel formats that Tarn uses.
 #pragma once
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 enum class Format {
     r8,

@@ -4,8 +4,7 @@
 #include "gl/api.h"
 #include "gl/format.h"
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 /// GL_RGBA16F
 GLenum internalFormat(Format format);

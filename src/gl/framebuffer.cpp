@@ -8,11 +8,9 @@
 
 #include <utility>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 std::string describe(const Attachment& a)
 {
@@ -22,12 +20,10 @@ std::string describe(const Attachment& a)
     return fmt::format("\"{}\" {} {}x{}{}", label, formatName(a.format()), size.x, size.y, samples);
 }
 
-[[noreturn]] void fail(const std::string& label, std::span<const Attachment> attachments,
-                       const std::string& reason)
+[[noreturn]] void fail(const std::string& label, std::span<const Attachment> attachments, const std::string& reason)
 {
     std::string list;
-    for (const Attachment& a : attachments)
-        list += fmt::format("{}{}", list.empty() ? "" : ", ", describe(a));
+    for (const Attachment& a : attachments) list += fmt::format("{}{}", list.empty() ? "" : ", ", describe(a));
     throw Error("framebuffer \"{}\" cannot be drawn into: {} (attachments: {})", label, reason,
                 list.empty() ? "none" : list);
 }
@@ -35,20 +31,13 @@ std::string describe(const Attachment& a)
 const char* statusText(GLenum status)
 {
     switch (status) {
-    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
-        return "an attachment is incomplete";
-    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
-        return "it has no attachment";
-    case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
-        return "a draw buffer has no attachment";
-    case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER:
-        return "the read buffer has no attachment";
-    case GL_FRAMEBUFFER_UNSUPPORTED:
-        return "the driver does not support these formats together";
-    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
-        return "the attachments differ in samples";
-    default:
-        return "unknown reason";
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT: return "an attachment is incomplete";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT: return "it has no attachment";
+    case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER: return "a draw buffer has no attachment";
+    case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER: return "the read buffer has no attachment";
+    case GL_FRAMEBUFFER_UNSUPPORTED: return "the driver does not support these formats together";
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE: return "the attachments differ in samples";
+    default: return "unknown reason";
     }
 }
 
@@ -71,22 +60,18 @@ void attach(const Attachment& a, GLenum point)
     glFramebufferTexture2D(GL_FRAMEBUFFER, point, target, a.texture->name(), a.level);
 }
 
-GLenum colourPoint(int output)
-{
-    return GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output);
-}
+GLenum colourPoint(int output) { return GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output); }
 
 void drawIntoAll(int colourCount)
 {
     std::vector<GLenum> points;
-    for (int i = 0; i < colourCount; ++i)
-        points.push_back(colourPoint(i));
+    for (int i = 0; i < colourCount; ++i) points.push_back(colourPoint(i));
     if (points.empty()) points.push_back(GL_NONE);
     glDrawBuffers(static_cast<GLsizei>(points.size()), points.data());
 }
 
-/// What is bound in the context of this thread. Remembered, since asking OpenGL makes a threaded driver wait; all bindings
-/// of framebuffers are made in this file.
+/// What is bound in the context of this thread. Remembered, since asking OpenGL makes a threaded driver wait; all
+/// bindings of framebuffers are made in this file.
 struct Bound {
     Name draw = 0;
     Name read = 0;
@@ -101,8 +86,7 @@ void bindBoth(Name name)
 }
 
 /// Binds for a moment and puts back what was bound before.
-class ScopedBinding
-{
+class ScopedBinding {
 public:
     ScopedBinding(GLenum target, Name name)
         : target_(target), name_(target == GL_READ_FRAMEBUFFER ? bound.read : bound.draw), previous_(name_)
@@ -129,10 +113,7 @@ private:
     Name previous_;
 };
 
-std::size_t pixelCount(ivec2 size)
-{
-    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-}
+std::size_t pixelCount(ivec2 size) { return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y); }
 
 } // namespace
 
@@ -141,8 +122,8 @@ Renderbuffer::Renderbuffer(Format format, ivec2 size, int samples, std::string l
 {
     const int limit = capabilities().maxTextureSize;
     if (size.x < 1 || size.y < 1 || size.x > limit || size.y > limit) {
-        throw Error("renderbuffer \"{}\": size {}x{} is not within 1x1 and {}x{}", this->label(), size.x,
-                    size.y, limit, limit);
+        throw Error("renderbuffer \"{}\": size {}x{} is not within 1x1 and {}x{}", this->label(), size.x, size.y, limit,
+                    limit);
     }
     if (samples < 1 || samples > capabilities().maxSamples) {
         throw Error("renderbuffer \"{}\": {} samples, but this driver takes 1 to {}", this->label(), samples,
@@ -151,8 +132,8 @@ Renderbuffer::Renderbuffer(Format format, ivec2 size, int samples, std::string l
     glBindRenderbuffer(GL_RENDERBUFFER, object_.name());
     object_.announceLabel();
     // 0 samples is OpenGL's word for "not multisampled"; 1 may be rounded up to 2.
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, internalFormat(format),
-                                     size.x, size.y);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, internalFormat(format), size.x,
+                                     size.y);
 }
 
 Framebuffer::Framebuffer(std::string label, std::span<const Attachment> attachments)
@@ -166,8 +147,7 @@ Framebuffer::Framebuffer(std::string label, std::span<const Attachment> attachme
     for (const Attachment& a : attachments) {
         if (a.size() != size_) fail(this->label(), attachments, "the attachments differ in size");
         if (a.samples() != samples_) fail(this->label(), attachments, "the attachments differ in samples");
-        if (isDepth(a.format()) && hasDepth_)
-            fail(this->label(), attachments, "it has two depth attachments");
+        if (isDepth(a.format()) && hasDepth_) fail(this->label(), attachments, "it has two depth attachments");
         if (isDepth(a.format())) {
             hasDepth_ = true;
             attach(a, GL_DEPTH_ATTACHMENT);
@@ -191,10 +171,7 @@ Framebuffer Framebuffer::window(ivec2 size)
     return result;
 }
 
-Framebuffer::~Framebuffer()
-{
-    forget();
-}
+Framebuffer::~Framebuffer() { forget(); }
 
 Framebuffer& Framebuffer::operator=(Framebuffer&& other) noexcept
 {
@@ -245,9 +222,8 @@ void Framebuffer::clearDepth(float value) const
 void Framebuffer::blitTo(const Framebuffer& destination, const Copy& copy) const
 {
     if (samples_ > 1 && size_ != destination.size_) {
-        throw Error(
-            "samples of framebuffer \"{}\" ({}x{}) cannot be resolved into \"{}\" ({}x{}): the sizes differ",
-            label(), size_.x, size_.y, destination.label(), destination.size_.x, destination.size_.y);
+        throw Error("samples of framebuffer \"{}\" ({}x{}) cannot be resolved into \"{}\" ({}x{}): the sizes differ",
+                    label(), size_.x, size_.y, destination.label(), destination.size_.x, destination.size_.y);
     }
     const ivec2 from = copy.corner.value_or(ivec2(0));
     const ivec2 to = copy.corner ? from + size_ : destination.size_;
@@ -266,13 +242,12 @@ void Framebuffer::blitTo(const Framebuffer& destination, const Copy& copy) const
         points.back() = colourPoint(copy.output);
         glDrawBuffers(static_cast<GLsizei>(points.size()), points.data());
     }
-    const GLbitfield mask = (copy.colour ? GL_COLOR_BUFFER_BIT : GLbitfield{0}) |
-                            (copy.depth ? GL_DEPTH_BUFFER_BIT : GLbitfield{0});
+    const GLbitfield mask =
+        (copy.colour ? GL_COLOR_BUFFER_BIT : GLbitfield{0}) | (copy.depth ? GL_DEPTH_BUFFER_BIT : GLbitfield{0});
     // OpenGL allows depth to be copied texel by texel only.
     const bool smooth = copy.filter == Filter::linear && !copy.depth && samples_ == 1;
     count(Call::blit);
-    glBlitFramebuffer(0, 0, size_.x, size_.y, from.x, from.y, to.x, to.y, mask,
-                      smooth ? GL_LINEAR : GL_NEAREST);
+    glBlitFramebuffer(0, 0, size_.x, size_.y, from.x, from.y, to.x, to.y, mask, smooth ? GL_LINEAR : GL_NEAREST);
     if (chooseOutput) drawIntoAll(destination.colourCount_);
     if (copy.colour && object_) glReadBuffer(GL_COLOR_ATTACHMENT0);
 }

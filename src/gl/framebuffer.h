@@ -12,12 +12,10 @@
 #include <string>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 /// Pixels that are drawn into and never read by a shader: the multisampled half of a Target.
-class Renderbuffer
-{
+class Renderbuffer {
 public:
     Renderbuffer() = default;
     Renderbuffer(Format format, ivec2 size, int samples, std::string label);
@@ -38,10 +36,7 @@ private:
 /// One image of a framebuffer; converts from a texture or a renderbuffer. Its format says colour or depth.
 struct Attachment {
     /// @param imageFace of a cube, or the layer of an array
-    Attachment(const Texture& t, int mipLevel = 0, int imageFace = 0)
-        : texture(&t), level(mipLevel), face(imageFace)
-    {
-    }
+    Attachment(const Texture& t, int mipLevel = 0, int imageFace = 0) : texture(&t), level(mipLevel), face(imageFace) {}
     Attachment(const Renderbuffer& r) : renderbuffer(&r) {}
 
     Format format() const { return texture ? texture->format() : renderbuffer->format(); }
@@ -54,8 +49,7 @@ struct Attachment {
     int face = 0;
 };
 
-class Framebuffer
-{
+class Framebuffer {
 public:
     Framebuffer() = default;
     ~Framebuffer();
@@ -66,8 +60,7 @@ public:
     Framebuffer(std::string label, std::span<const Attachment> attachments);
     Framebuffer(std::string label, std::initializer_list<Attachment> attachments)
         : Framebuffer(std::move(label), std::span(attachments.begin(), attachments.size()))
-    {
-    }
+    {}
     /// The context's own: a window's, or OSMesa's. EGL without a surface has none.
     static Framebuffer window(ivec2 size);
 
@@ -82,11 +75,11 @@ public:
         bool colour = true; ///< output 0, or the one chosen
         bool depth = false; ///< needs equal formats
         Filter filter = Filter::nearest;
-        int output = 0; ///< of both
+        int output = 0;                ///< of both
         std::optional<ivec2> corner{}; ///< lower left one in the destination, for a copy that is not stretched
     };
-    /// Copies the whole picture, resolving samples (sizes must then be equal), stretching it, or to a place. Throws Error
-    /// when it does not fit there.
+    /// Copies the whole picture, resolving samples (sizes must then be equal), stretching it, or to a place. Throws
+    /// Error when it does not fit there.
     void blitTo(const Framebuffer& destination, const Copy& copy) const;
 
     /// Four values per pixel, rows from bottom to top. Waits for the GPU. Throws Error on a multisampled one.

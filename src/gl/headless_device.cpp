@@ -1,5 +1,5 @@
-// Which device headless contexts are made on. In a file of its own: what headlessDevices() is, only programs know that make
-// such contexts.
+// Which device headless contexts are made on. In a file of its own: what headlessDevices() is, only programs know that
+// make such contexts.
 #include "base/error.h"
 #include "gl/context.h"
 
@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <cctype>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 std::string& chosenDevice()
 {

@@ -6,39 +6,23 @@
 #include <algorithm>
 #include <utility>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 static_assert(sizeof(Name) == sizeof(GLuint));
 
-namespace
-{
+namespace {
 
 Name create(Object::Kind kind)
 {
     Name name = 0;
     switch (kind) {
-    case Object::Kind::buffer:
-        glGenBuffers(1, &name);
-        break;
-    case Object::Kind::vertexArray:
-        glGenVertexArrays(1, &name);
-        break;
-    case Object::Kind::texture:
-        glGenTextures(1, &name);
-        break;
-    case Object::Kind::renderbuffer:
-        glGenRenderbuffers(1, &name);
-        break;
-    case Object::Kind::framebuffer:
-        glGenFramebuffers(1, &name);
-        break;
-    case Object::Kind::program:
-        name = glCreateProgram();
-        break;
-    case Object::Kind::query:
-        glGenQueries(1, &name);
-        break;
+    case Object::Kind::buffer: glGenBuffers(1, &name); break;
+    case Object::Kind::vertexArray: glGenVertexArrays(1, &name); break;
+    case Object::Kind::texture: glGenTextures(1, &name); break;
+    case Object::Kind::renderbuffer: glGenRenderbuffers(1, &name); break;
+    case Object::Kind::framebuffer: glGenFramebuffers(1, &name); break;
+    case Object::Kind::program: name = glCreateProgram(); break;
+    case Object::Kind::query: glGenQueries(1, &name); break;
     }
     return name;
 }
@@ -46,20 +30,13 @@ Name create(Object::Kind kind)
 GLenum identifier(Object::Kind kind)
 {
     switch (kind) {
-    case Object::Kind::buffer:
-        return GL_BUFFER;
-    case Object::Kind::vertexArray:
-        return GL_VERTEX_ARRAY;
-    case Object::Kind::texture:
-        return GL_TEXTURE;
-    case Object::Kind::renderbuffer:
-        return GL_RENDERBUFFER;
-    case Object::Kind::framebuffer:
-        return GL_FRAMEBUFFER;
-    case Object::Kind::program:
-        return GL_PROGRAM;
-    case Object::Kind::query:
-        return GL_QUERY;
+    case Object::Kind::buffer: return GL_BUFFER;
+    case Object::Kind::vertexArray: return GL_VERTEX_ARRAY;
+    case Object::Kind::texture: return GL_TEXTURE;
+    case Object::Kind::renderbuffer: return GL_RENDERBUFFER;
+    case Object::Kind::framebuffer: return GL_FRAMEBUFFER;
+    case Object::Kind::program: return GL_PROGRAM;
+    case Object::Kind::query: return GL_QUERY;
     }
     return GL_NONE;
 }
@@ -68,15 +45,11 @@ GLenum identifier(Object::Kind kind)
 
 Object::Object(Kind kind, std::string label) : kind_(kind), name_(create(kind)), label_(std::move(label)) {}
 
-Object::~Object()
-{
-    release();
-}
+Object::~Object() { release(); }
 
 Object::Object(Object&& other) noexcept
     : kind_(other.kind_), name_(std::exchange(other.name_, 0)), label_(std::move(other.label_))
-{
-}
+{}
 
 Object& Object::operator=(Object&& other) noexcept
 {
@@ -100,27 +73,13 @@ void Object::release() noexcept
 {
     if (name_ == 0) return;
     switch (kind_) {
-    case Kind::buffer:
-        glDeleteBuffers(1, &name_);
-        break;
-    case Kind::vertexArray:
-        glDeleteVertexArrays(1, &name_);
-        break;
-    case Kind::texture:
-        glDeleteTextures(1, &name_);
-        break;
-    case Kind::renderbuffer:
-        glDeleteRenderbuffers(1, &name_);
-        break;
-    case Kind::framebuffer:
-        glDeleteFramebuffers(1, &name_);
-        break;
-    case Kind::program:
-        glDeleteProgram(name_);
-        break;
-    case Kind::query:
-        glDeleteQueries(1, &name_);
-        break;
+    case Kind::buffer: glDeleteBuffers(1, &name_); break;
+    case Kind::vertexArray: glDeleteVertexArrays(1, &name_); break;
+    case Kind::texture: glDeleteTextures(1, &name_); break;
+    case Kind::renderbuffer: glDeleteRenderbuffers(1, &name_); break;
+    case Kind::framebuffer: glDeleteFramebuffers(1, &name_); break;
+    case Kind::program: glDeleteProgram(name_); break;
+    case Kind::query: glDeleteQueries(1, &name_); break;
     }
     name_ = 0;
 }

@@ -6,14 +6,12 @@
 
 #include <string>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 /// OpenGL's GLuint.
 using Name = unsigned int;
 
-class Object
-{
+class Object {
 public:
     enum class Kind { buffer, vertexArray, texture, renderbuffer, framebuffer, program, query };
 

@@ -9,11 +9,9 @@
 #include <ctime>
 #include <limits>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 constexpr std::size_t noRecord = std::numeric_limits<std::size_t>::max();
 
@@ -24,10 +22,7 @@ double wallMilliseconds()
 }
 
 /// Of all threads: a software rasteriser works in its own.
-double processMilliseconds()
-{
-    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
+double processMilliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void stamp(Object& query, const std::string& label)
 {

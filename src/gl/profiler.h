@@ -18,8 +18,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 struct PassTime {
     std::string name;
@@ -28,8 +27,7 @@ struct PassTime {
     double cpuMs = 0.0;  ///< of all threads of the process in that time
 };
 
-class Profiler
-{
+class Profiler {
 public:
     void beginFrame();
     void endFrame();
@@ -68,12 +66,9 @@ private:
     std::vector<PassTime> latest_;
 };
 
-class PassScope
-{
+class PassScope {
 public:
-    PassScope(Profiler& profiler, std::string_view name) : profiler_(profiler), record_(profiler.begin(name))
-    {
-    }
+    PassScope(Profiler& profiler, std::string_view name) : profiler_(profiler), record_(profiler.begin(name)) {}
     ~PassScope() { profiler_.end(record_); }
     PassScope(const PassScope&) = delete;
     PassScope& operator=(const PassScope&) = delete;

@@ -11,13 +11,11 @@
 #include <cstring>
 #include <set>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 thread_local const Program* Program::current_ = nullptr;
 
-namespace
-{
+namespace {
 
 /// OpenGL 3.3 promises each stage 16 texture units; Texture edits through the one after them.
 constexpr int unitCount = 16;
@@ -40,10 +38,8 @@ bool isSampler(GLenum type)
     case GL_SAMPLER_2D_ARRAY_SHADOW:
     case GL_SAMPLER_3D:
     case GL_SAMPLER_1D:
-    case GL_SAMPLER_BUFFER:
-        return true;
-    default:
-        return false;
+    case GL_SAMPLER_BUFFER: return true;
+    default: return false;
     }
 }
 
@@ -64,10 +60,9 @@ void bindBlocks(Name program, const Bindings& bindings, const std::string& progr
         glGetActiveUniformBlockName(program, i, static_cast<GLsizei>(name.size()), nullptr, name.data());
         const std::optional<int> binding = find(bindings.blocks, name.data());
         if (!binding) {
-            throw Error(
-                "program \"{}\": uniform block {} has no binding index; add it to the bindings of the shader "
-                "library",
-                programName, name.data());
+            throw Error("program \"{}\": uniform block {} has no binding index; add it to the bindings of the shader "
+                        "library",
+                        programName, name.data());
         }
         glUniformBlockBinding(program, i, static_cast<GLuint>(*binding));
     }
@@ -77,8 +72,7 @@ void bindBlocks(Name program, const Bindings& bindings, const std::string& progr
 
 Program::Program(std::string name, std::shared_ptr<FirstUses> firstUses)
     : name_(std::move(name)), firstUses_(std::move(firstUses))
-{
-}
+{}
 
 Program::~Program()
 {
@@ -94,8 +88,7 @@ Program::ActiveMap Program::activeUniforms(Name program)
         std::array<GLchar, 256> name{};
         GLint elements = 0;
         GLenum type = 0;
-        glGetActiveUniform(program, i, static_cast<GLsizei>(name.size()), nullptr, &elements, &type,
-                           name.data());
+        glGetActiveUniform(program, i, static_cast<GLsizei>(name.size()), nullptr, &elements, &type, name.data());
         const bool isInBlock = glGetUniformLocation(program, name.data()) < 0;
         if (!isInBlock) active.emplace(withoutIndex(name.data()), Active{type, elements});
     }
@@ -120,15 +113,14 @@ Program::NameMap<int> Program::assignUnits(Name program, const ActiveMap& active
     int next = 0;
     for (const std::string& name : samplers) {
         if (units.contains(name)) continue;
-        while (taken.contains(next))
-            ++next;
+        while (taken.contains(next)) ++next;
         units[name] = next++;
     }
     glUseProgram(program);
     for (const auto& [name, unit] : units) {
         if (unit < 0 || unit >= unitCount) {
-            throw Error("program \"{}\": sampler {} would need texture unit {}, there are {}", programName,
-                        name, unit, unitCount);
+            throw Error("program \"{}\": sampler {} would need texture unit {}, there are {}", programName, name, unit,
+                        unitCount);
         }
         glUniform1i(glGetUniformLocation(program, name.c_str()), unit);
     }
@@ -215,12 +207,11 @@ void Program::checkFits(const Slot& s, Type type, int count) const
                                                    "ivec2", "ivec3", "ivec4", "mat3", "mat4"};
     const auto index = static_cast<std::size_t>(type);
     if (glTypes[index] != s.glType) {
-        throw Error("program \"{}\": uniform {} is declared with another type than the {} it is set to",
-                    name_, s.name, names[index]);
+        throw Error("program \"{}\": uniform {} is declared with another type than the {} it is set to", name_, s.name,
+                    names[index]);
     }
     if (count > s.capacity) {
-        throw Error("program \"{}\": uniform {} has {} elements and is set to {}", name_, s.name, s.capacity,
-                    count);
+        throw Error("program \"{}\": uniform {} has {} elements and is set to {}", name_, s.name, s.capacity, count);
     }
 }
 
@@ -251,36 +242,16 @@ void Program::upload(Slot& s) const
     const auto* integers = reinterpret_cast<const GLint*>(s.value.data());
     switch (*s.type) {
     case Type::boolean:
-    case Type::integer:
-        glUniform1iv(s.location, s.count, integers);
-        break;
-    case Type::scalar:
-        glUniform1fv(s.location, s.count, floats);
-        break;
-    case Type::vec2:
-        glUniform2fv(s.location, s.count, floats);
-        break;
-    case Type::vec3:
-        glUniform3fv(s.location, s.count, floats);
-        break;
-    case Type::vec4:
-        glUniform4fv(s.location, s.count, floats);
-        break;
-    case Type::ivec2:
-        glUniform2iv(s.location, s.count, integers);
-        break;
-    case Type::ivec3:
-        glUniform3iv(s.location, s.count, integers);
-        break;
-    case Type::ivec4:
-        glUniform4iv(s.location, s.count, integers);
-        break;
-    case Type::mat3:
-        glUniformMatrix3fv(s.location, s.count, GL_FALSE, floats);
-        break;
-    case Type::mat4:
-        glUniformMatrix4fv(s.location, s.count, GL_FALSE, floats);
-        break;
+    case Type::integer: glUniform1iv(s.location, s.count, integers); break;
+    case Type::scalar: glUniform1fv(s.location, s.count, floats); break;
+    case Type::vec2: glUniform2fv(s.location, s.count, floats); break;
+    case Type::vec3: glUniform3fv(s.location, s.count, floats); break;
+    case Type::vec4: glUniform4fv(s.location, s.count, floats); break;
+    case Type::ivec2: glUniform2iv(s.location, s.count, integers); break;
+    case Type::ivec3: glUniform3iv(s.location, s.count, integers); break;
+    case Type::ivec4: glUniform4iv(s.location, s.count, integers); break;
+    case Type::mat3: glUniformMatrix3fv(s.location, s.count, GL_FALSE, floats); break;
+    case Type::mat4: glUniformMatrix4fv(s.location, s.count, GL_FALSE, floats); break;
     }
 }
 

@@ -25,8 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 class Program;
 class Texture;
@@ -40,8 +39,7 @@ struct Bindings {
 
 /// A place for a value of type bool, int, float, vec2, vec3, vec4, ivec2, ivec3, ivec4, mat3 or mat4. Lives
 /// no longer than its program; stays good when that is reloaded.
-template <typename T> class Uniform
-{
+template <typename T> class Uniform {
 public:
     Uniform() = default;
     void set(const T& value) const;
@@ -60,8 +58,7 @@ struct FirstUses {
     std::function<bool(const Program&)> next; ///< called before it; when the answer is false, the use does not count
 };
 
-class Program
-{
+class Program {
 public:
     ~Program();
     Program(const Program&) = delete;
@@ -74,10 +71,7 @@ public:
     {
         return Uniform<T>(*this, slot(uniformName));
     }
-    template <typename T> void set(std::string_view uniformName, const T& value)
-    {
-        uniform<T>(uniformName).set(value);
-    }
+    template <typename T> void set(std::string_view uniformName, const T& value) { uniform<T>(uniformName).set(value); }
     /// The first values.size() elements of `uniform T name[n]`.
     template <typename T> void setArray(std::string_view uniformName, std::span<const T> values);
 
@@ -146,7 +140,7 @@ private:
     mutable bool anyDirty_ = false;
     int generation_ = 0;
     std::shared_ptr<FirstUses> firstUses_;
-    mutable bool used_ = false; ///< since it was linked
+    mutable bool used_ = false;                  ///< since it was linked
     static thread_local const Program* current_; ///< of this thread's context
 };
 
@@ -191,8 +185,7 @@ template <typename T> void Uniform<T>::set(const T& value) const
 template <typename T> void Program::setArray(std::string_view uniformName, std::span<const T> values)
 {
     static_assert(!std::is_same_v<T, bool>);
-    store(slot(uniformName), typeOf<T>(), static_cast<int>(values.size()), values.data(),
-          values.size_bytes());
+    store(slot(uniformName), typeOf<T>(), static_cast<int>(values.size()), values.data(), values.size_bytes());
 }
 
 } // namespace tarn::gl

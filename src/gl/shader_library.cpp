@@ -7,17 +7,14 @@
 #include <algorithm>
 #include <utility>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 constexpr std::chrono::milliseconds pollInterval{250};
 
 /// A shader object; OpenGL keeps it as long as a program that it is attached to.
-class Shader
-{
+class Shader {
 public:
     explicit Shader(GLenum stage) : name_(glCreateShader(stage)) {}
     ~Shader() { glDeleteShader(name_); }
@@ -70,8 +67,7 @@ void compile(const Shader& shader, const std::filesystem::path& root, const Shad
 
 ShaderLibrary::ShaderLibrary(std::filesystem::path root, Bindings bindings)
     : root_(std::move(root)), bindings_(std::move(bindings))
-{
-}
+{}
 
 std::shared_ptr<Program> ShaderLibrary::program(const std::string& name, const std::string& vertexFile,
                                                 const std::string& fragmentFile, const Defines& defines)
@@ -96,8 +92,7 @@ Object ShaderLibrary::build(Entry& entry) const
 {
     entry.files.clear();
     const ShaderSource vertexSource = assembleShader(root_, entry.vertexFile, entry.defines, &entry.files);
-    const ShaderSource fragmentSource =
-        assembleShader(root_, entry.fragmentFile, entry.defines, &entry.files);
+    const ShaderSource fragmentSource = assembleShader(root_, entry.fragmentFile, entry.defines, &entry.files);
     const Shader vertex(GL_VERTEX_SHADER);
     const Shader fragment(GL_FRAGMENT_SHADER);
     compile(vertex, root_, vertexSource);
@@ -114,8 +109,8 @@ Object ShaderLibrary::build(Entry& entry) const
     glGetProgramiv(linked.name(), GL_LINK_STATUS, &status);
     if (status != GL_TRUE) {
         const std::string log = infoLog(linked.name(), glGetProgramiv, glGetProgramInfoLog);
-        throw Error("program \"{}\" ({} with {}) does not link: {}", entry.name, entry.vertexFile,
-                    entry.fragmentFile, firstComplaint(nameFilesInLog(log, root_, {})));
+        throw Error("program \"{}\" ({} with {}) does not link: {}", entry.name, entry.vertexFile, entry.fragmentFile,
+                    firstComplaint(nameFilesInLog(log, root_, {})));
     }
     return linked;
 }
@@ -177,10 +172,9 @@ bool ShaderLibrary::reloadChanged()
     if (!anyChanged()) return false;
     bool anyRebuilt = false;
     for (Entry& entry : entries_) {
-        const bool isAffected =
-            std::any_of(entry.files.begin(), entry.files.end(), [&](const std::string& file) {
-                return std::find(changed_.begin(), changed_.end(), file) != changed_.end();
-            });
+        const bool isAffected = std::any_of(entry.files.begin(), entry.files.end(), [&](const std::string& file) {
+            return std::find(changed_.begin(), changed_.end(), file) != changed_.end();
+        });
         if (!isAffected) continue;
         anyRebuilt |= rebuild(entry);
         watch(entry);

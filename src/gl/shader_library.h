@@ -19,11 +19,9 @@
 #include <string>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-class ShaderLibrary
-{
+class ShaderLibrary {
 public:
     /// @param root the folder that includes and shader paths are relative to; must hold
     /// shared/glsl_prelude.glsl
@@ -44,8 +42,8 @@ public:
     /// HUD.
     const std::string& lastError() const { return lastError_; }
 
-    /// Calls `next` before the first use of each program, until this is called with nothing; when it answers false, the use
-    /// does not count as the first.
+    /// Calls `next` before the first use of each program, until this is called with nothing; when it answers false, the
+    /// use does not count as the first.
     void watchFirstUses(std::function<bool(const Program&)> next) { firstUses_->next = std::move(next); }
 
     /// How many programs were built so far, again for edited files too.
@@ -75,8 +73,7 @@ private:
     std::filesystem::path root_;
     Bindings bindings_;
     std::vector<Entry> entries_;
-    std::map<std::string, std::filesystem::file_time_type>
-        times_; ///< of every watched file; min() when missing
+    std::map<std::string, std::filesystem::file_time_type> times_; ///< of every watched file; min() when missing
     std::vector<std::string> changed_;
     std::size_t built_ = 0, rebuilt_ = 0;
     std::string lastError_;

@@ -8,11 +8,9 @@
 #include <optional>
 #include <system_error>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 const char* const preludeFile = "shared/glsl_prelude.glsl";
 
@@ -28,14 +26,12 @@ std::string lineDirective(std::size_t line, std::size_t file)
 /// "shaders/passes/water.frag", as a person knows the file.
 std::string displayName(const std::filesystem::path& root, const std::string& file)
 {
-    const std::filesystem::path folder =
-        root.filename().empty() ? root.parent_path().filename() : root.filename();
+    const std::filesystem::path folder = root.filename().empty() ? root.parent_path().filename() : root.filename();
     return (folder / file).generic_string();
 }
 
 /// Follows block comments from line to line, so that an #include within one stays a comment.
-class CommentTracker
-{
+class CommentTracker {
 public:
     /// Reads a line; returns whether its first character was inside a comment.
     bool next(std::string_view line)
@@ -69,18 +65,15 @@ std::optional<std::string_view> directive(std::string_view line, std::string_vie
     line = trimmedFront(line.substr(1));
     if (!line.starts_with(word)) return std::nullopt;
     const std::string_view rest = line.substr(word.size());
-    const bool isWholeWord =
-        rest.empty() || rest[0] == ' ' || rest[0] == '\t' || rest[0] == '"' || rest[0] == '<';
+    const bool isWholeWord = rest.empty() || rest[0] == ' ' || rest[0] == '\t' || rest[0] == '"' || rest[0] == '<';
     return isWholeWord ? std::optional(trimmedFront(rest)) : std::nullopt;
 }
 
-class Assembler
-{
+class Assembler {
 public:
     Assembler(const std::filesystem::path& root, ShaderSource& source, std::vector<std::string>* visited)
         : root_(root), source_(source), visited_(visited)
-    {
-    }
+    {}
 
     void append(const std::string& file, const std::string& askedBy)
     {
@@ -131,8 +124,7 @@ private:
         }
         const std::filesystem::path path(argument.substr(1, close - 1));
         const std::string file = path.lexically_normal().generic_string();
-        const bool isKnown =
-            std::find(source_.files.begin(), source_.files.end(), file) != source_.files.end();
+        const bool isKnown = std::find(source_.files.begin(), source_.files.end(), file) != source_.files.end();
         if (isKnown) return false;
         append(file, place);
         return true;
@@ -169,8 +161,7 @@ std::optional<std::size_t> takePlace(std::string_view& text)
     if (!isNvidia && !takePrefix(text, ":")) return std::nullopt;
     const std::optional<std::size_t> line = takeNumber(text);
     if (!line || (isNvidia && !takePrefix(text, ")"))) return std::nullopt;
-    if (!isNvidia && takePrefix(text, "(") && !(takeNumber(text) && takePrefix(text, ")")))
-        return std::nullopt;
+    if (!isNvidia && takePrefix(text, "(") && !(takeNumber(text) && takePrefix(text, ")"))) return std::nullopt;
     text = trimmedFront(text);
     if (!takePrefix(text, ":")) return std::nullopt;
     text = trimmedFront(text);
@@ -184,19 +175,17 @@ std::string nameFileInLine(const std::string& line, const std::filesystem::path&
     const std::optional<std::size_t> number = takePlace(message);
     if (!number || *number / linesPerFile >= files.size()) return line;
     takePrefix(message, "error: ");
-    return fmt::format("{}:{}: {}", displayName(root, files[*number / linesPerFile]), *number % linesPerFile,
-                       message);
+    return fmt::format("{}:{}: {}", displayName(root, files[*number / linesPerFile]), *number % linesPerFile, message);
 }
 
 } // namespace
 
-ShaderSource assembleShader(const std::filesystem::path& root, const std::string& file,
-                            const Defines& defines, std::vector<std::string>* visited)
+ShaderSource assembleShader(const std::filesystem::path& root, const std::string& file, const Defines& defines,
+                            std::vector<std::string>* visited)
 {
     ShaderSource source;
     source.text = "#version 330 core\n";
-    for (const auto& [name, value] : defines)
-        source.text += "#define " + name + " " + value + "\n";
+    for (const auto& [name, value] : defines) source.text += "#define " + name + " " + value + "\n";
     Assembler assembler(root, source, visited);
     assembler.append(preludeFile, "");
     assembler.append(file, "");

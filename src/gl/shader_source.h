@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 /// Name and value of preprocessor definitions: {{"WATER_STEPS", "8"}}.
 using Defines = std::vector<std::pair<std::string, std::string>>;
@@ -24,8 +23,8 @@ struct ShaderSource {
 /// replaced by that file, once each. Paths are relative to the root. Throws Error
 /// "shaders/passes/water.frag:3: …" when an include is malformed or its file missing.
 /// @param visited receives every file named on the way, also when it throws, so that a mended file is noticed
-ShaderSource assembleShader(const std::filesystem::path& root, const std::string& file,
-                            const Defines& defines, std::vector<std::string>* visited = nullptr);
+ShaderSource assembleShader(const std::filesystem::path& root, const std::string& file, const Defines& defines,
+                            std::vector<std::string>* visited = nullptr);
 
 /// The compiler's log with "shaders/passes/water.frag:12: message" for what was written "1:100012(5): error:
 /// message" (Mesa), "1(100012) : error C1008: message" (NVIDIA) or "ERROR: 1:100012: message" (AMD, Apple,

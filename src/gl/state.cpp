@@ -5,11 +5,9 @@
 
 #include <array>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 thread_local WriteMasks masks; // as OpenGL's own state, of the context that is current in this thread
 
@@ -23,8 +21,7 @@ void enable(GLenum what, bool on)
 
 void applyDepth(const State& state)
 {
-    constexpr std::array<GLenum, 6> functions = {GL_ALWAYS, GL_LESS,   GL_LEQUAL,
-                                                 GL_EQUAL,  GL_ALWAYS, GL_GREATER};
+    constexpr std::array<GLenum, 6> functions = {GL_ALWAYS, GL_LESS, GL_LEQUAL, GL_EQUAL, GL_ALWAYS, GL_GREATER};
     enable(GL_DEPTH_TEST, state.depthTest != DepthTest::off);
     glDepthFunc(functions[static_cast<std::size_t>(state.depthTest)]);
     glDepthMask(state.depthWrite ? GL_TRUE : GL_FALSE);
@@ -50,18 +47,10 @@ void applyBlend(const State& state)
     enable(GL_BLEND, state.blend != Blend::none);
     glBlendEquation(GL_FUNC_ADD);
     switch (state.blend) {
-    case Blend::none:
-        glBlendFunc(GL_ONE, GL_ZERO);
-        break;
-    case Blend::alpha:
-        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-        break;
-    case Blend::premultiplied:
-        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-        break;
-    case Blend::add:
-        glBlendFunc(GL_ONE, GL_ONE);
-        break;
+    case Blend::none: glBlendFunc(GL_ONE, GL_ZERO); break;
+    case Blend::alpha: glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
+    case Blend::premultiplied: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
+    case Blend::add: glBlendFunc(GL_ONE, GL_ONE); break;
     }
 }
 
@@ -87,9 +76,6 @@ void apply(const State& state)
     glDisable(GL_DITHER);
 }
 
-WriteMasks writeMasks()
-{
-    return masks;
-}
+WriteMasks writeMasks() { return masks; }
 
 } // namespace tarn::gl

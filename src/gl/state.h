@@ -7,8 +7,7 @@
 
 #include <optional>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 enum class DepthTest { off, less, lessEqual, equal, always, greater };
 enum class Cull { none, back, front };
@@ -33,8 +32,8 @@ struct State {
     bool srgbEncode = false; ///< encode when writing to an sRGB target
     bool alphaToCoverage = false;
     bool wireframe = false;
-    bool shaderPointSize = false; ///< points are as large as gl_PointSize says
-    vec2 depthOffset{0.0f}; ///< slope factor and constant units
+    bool shaderPointSize = false;       ///< points are as large as gl_PointSize says
+    vec2 depthOffset{0.0f};             ///< slope factor and constant units
     std::optional<PixelRect> scissor{}; ///< beside it nothing is drawn
 };
 

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 bool Target::ensure(const TargetDesc& desc)
 {
@@ -33,8 +32,7 @@ void Target::build()
     colours_.clear();
     depth_ = {};
 
-    TextureDesc texture{
-        .size = desc_.size, .mipmaps = desc_.mipmaps, .filter = desc_.filter, .wrap = desc_.wrap};
+    TextureDesc texture{.size = desc_.size, .mipmaps = desc_.mipmaps, .filter = desc_.filter, .wrap = desc_.wrap};
     texture.border = desc_.border;
     for (const Format format : desc_.colours) {
         texture.format = format;

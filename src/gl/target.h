@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 struct TargetDesc {
     ivec2 size{1, 1};
@@ -31,8 +30,7 @@ struct TargetDesc {
     bool operator==(const TargetDesc&) const = default;
 };
 
-class Target
-{
+class Target {
 public:
     explicit Target(std::string label) : label_(std::move(label)) {}
 
@@ -45,8 +43,8 @@ public:
     const Framebuffer& drawFramebuffer() const;
     /// The framebuffer of the textures.
     const Framebuffer& framebuffer() const { return resolved_; }
-    /// Brings the samples into the textures, all of them or only what is read. Nothing is done with one sample, or where
-    /// nobody asked for the framebuffer that is drawn into since the last time.
+    /// Brings the samples into the textures, all of them or only what is read. Nothing is done with one sample, or
+    /// where nobody asked for the framebuffer that is drawn into since the last time.
     void resolve() const;
     void resolveColour() const;
     void resolveDepth() const;

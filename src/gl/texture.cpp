@@ -10,11 +10,9 @@
 #include <bit>
 #include <utility>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 /// Textures are edited through a unit that no sampler uses (Program keeps below it), so that the bindings a
 /// pass has made stay.
@@ -29,14 +27,12 @@ GLenum bindTarget(const TextureDesc& desc)
 
 GLenum imageTarget(const TextureDesc& desc, int face)
 {
-    return desc.kind == TextureKind::cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face)
-                                          : GL_TEXTURE_2D;
+    return desc.kind == TextureKind::cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GL_TEXTURE_2D;
 }
 
 GLint wrapMode(Wrap wrap)
 {
-    constexpr std::array<GLint, 4> modes = {GL_CLAMP_TO_EDGE, GL_REPEAT, GL_MIRRORED_REPEAT,
-                                            GL_CLAMP_TO_BORDER};
+    constexpr std::array<GLint, 4> modes = {GL_CLAMP_TO_EDGE, GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_BORDER};
     return modes[static_cast<std::size_t>(wrap)];
 }
 
@@ -78,8 +74,8 @@ void Texture::allocate()
 {
     const auto internal = static_cast<GLint>(internalFormat(desc_.format));
     if (desc_.samples > 1) {
-        glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, desc_.samples, internalFormat(desc_.format),
-                                desc_.size.x, desc_.size.y, GL_TRUE);
+        glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, desc_.samples, internalFormat(desc_.format), desc_.size.x,
+                                desc_.size.y, GL_TRUE);
         return;
     }
     for (int level = 0; level < levels(); ++level) {
@@ -90,8 +86,8 @@ void Texture::allocate()
             continue;
         }
         for (int face = 0; face < faces(); ++face) {
-            glTexImage2D(imageTarget(desc_, face), level, internal, size.x, size.y, 0,
-                         pixelFormat(desc_.format, 4), GL_FLOAT, nullptr);
+            glTexImage2D(imageTarget(desc_, face), level, internal, size.x, size.y, 0, pixelFormat(desc_.format, 4),
+                         GL_FLOAT, nullptr);
         }
     }
 }
@@ -135,21 +131,20 @@ void Texture::upload(std::span<const float> values, int channels, int face, int 
     uploadLevel(values.data(), values.size(), GL_FLOAT, channels, face, level);
 }
 
-void Texture::uploadLevel(const void* values, std::size_t count, unsigned type, int channels, int face,
-                          int level)
+void Texture::uploadLevel(const void* values, std::size_t count, unsigned type, int channels, int face, int level)
 {
     if (channels == 0) channels = channelCount(desc_.format);
     if (desc_.samples > 1 || face < 0 || face >= faces() || level < 0 || level >= levels() || channels < 1 ||
         channels > 4) {
-        throw Error("texture \"{}\": nothing can be uploaded to face {}, level {} with {} channels", label(),
-                    face, level, channels);
+        throw Error("texture \"{}\": nothing can be uploaded to face {}, level {} with {} channels", label(), face,
+                    level, channels);
     }
     const ivec2 size = levelSize(level);
-    const auto expected = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                          static_cast<std::size_t>(channels);
+    const auto expected =
+        static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(channels);
     if (count != expected) {
-        throw Error("texture \"{}\": {} values for {}x{} texels with {} channels, {} expected", label(),
-                    count, size.x, size.y, channels, expected);
+        throw Error("texture \"{}\": {} values for {}x{} texels with {} channels, {} expected", label(), count, size.x,
+                    size.y, channels, expected);
     }
     bind(editUnit);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -193,15 +188,9 @@ void Texture::bind(int unit) const
     glBindTexture(bindTarget(desc_), object_.name());
 }
 
-ivec2 Texture::levelSize(int level) const
-{
-    return glm::max(ivec2(desc_.size.x >> level, desc_.size.y >> level), 1);
-}
+ivec2 Texture::levelSize(int level) const { return glm::max(ivec2(desc_.size.x >> level, desc_.size.y >> level), 1); }
 
-int Texture::faces() const
-{
-    return desc_.kind == TextureKind::cube ? 6 : desc_.layers;
-}
+int Texture::faces() const { return desc_.kind == TextureKind::cube ? 6 : desc_.layers; }
 
 int Texture::levels() const
 {

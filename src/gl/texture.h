@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 enum class TextureKind { flat, cube, array };
 enum class Filter { nearest, linear };
@@ -32,15 +31,14 @@ struct TextureDesc {
     bool operator==(const TextureDesc&) const = default;
 };
 
-class Texture
-{
+class Texture {
 public:
     Texture() = default;
     /// Throws Error with the label when the size or the combination is impossible.
     Texture(const TextureDesc& desc, std::string label);
 
-    /// Fills a level of a face of a cube, or of a layer of an array, from 8-bit values, `channels` per texel (0: as many as the
-    /// format has; missing ones read as 0, alpha as 1). Throws Error when the count does not fit the size.
+    /// Fills a level of a face of a cube, or of a layer of an array, from 8-bit values, `channels` per texel (0: as
+    /// many as the format has; missing ones read as 0, alpha as 1). Throws Error when the count does not fit the size.
     void upload(std::span<const std::uint8_t> values, int channels = 0, int face = 0, int level = 0);
     /// The same from floats.
     void upload(std::span<const float> values, int channels = 0, int face = 0, int level = 0);

@@ -8,16 +8,13 @@
 #include <utility>
 #include <vector>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 GLenum mode(Primitive primitive)
 {
-    constexpr std::array<GLenum, 5> modes = {GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_TRIANGLES,
-                                             GL_TRIANGLE_STRIP};
+    constexpr std::array<GLenum, 5> modes = {GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_TRIANGLES, GL_TRIANGLE_STRIP};
     return modes[static_cast<std::size_t>(primitive)];
 }
 
@@ -28,15 +25,9 @@ GLenum componentType(Attribute::Type type)
 }
 
 /// OpenGL takes offsets into a buffer as pointers.
-const void* asPointer(std::size_t offset)
-{
-    return reinterpret_cast<const void*>(offset);
-}
+const void* asPointer(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
-const void* indexOffset(int first)
-{
-    return asPointer(static_cast<std::size_t>(first) * sizeof(std::uint32_t));
-}
+const void* indexOffset(int first) { return asPointer(static_cast<std::size_t>(first) * sizeof(std::uint32_t)); }
 
 } // namespace
 

@@ -14,8 +14,7 @@
 #include <span>
 #include <string>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 enum class Primitive { points, lines, lineStrip, triangles, triangleStrip };
 
@@ -33,15 +32,13 @@ struct IndexRange {
     int count = 0;
 };
 
-class VertexArray
-{
+class VertexArray {
 public:
     VertexArray() = default;
     explicit VertexArray(std::string label);
 
     /// @param stride bytes from one vertex to the next   @param divisor 0: per vertex, n: every n instances
-    void attributes(const Buffer& buffer, std::size_t stride, std::initializer_list<Attribute> list,
-                    int divisor = 0);
+    void attributes(const Buffer& buffer, std::size_t stride, std::initializer_list<Attribute> list, int divisor = 0);
     /// 32-bit indices.
     void indices(const Buffer& buffer);
 
@@ -60,8 +57,7 @@ private:
 /// Draws a triangle that covers the viewport, from gl_VertexID alone (shaders/passes/fullscreen.vert).
 /// Owns an empty vertex array: core profiles draw nothing without one.
 /// While one lives, this thread draws nothing: programs, states and targets change as ever.
-class NoDrawing
-{
+class NoDrawing {
 public:
     NoDrawing() { ++count_; }
     ~NoDrawing() { --count_; }
@@ -73,8 +69,7 @@ private:
     static thread_local int count_;
 };
 
-class FullscreenTriangle
-{
+class FullscreenTriangle {
 public:
     FullscreenTriangle();
     void draw() const { empty_.draw(Primitive::triangles, 0, 3); }

@@ -3,8 +3,7 @@
 #include "gl/api.h"
 #include "gl/counters.h"
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 VisibilityQuery::Scope::Scope(VisibilityQuery& query)
 {

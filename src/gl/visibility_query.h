@@ -10,15 +10,12 @@
 
 #include <optional>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-class VisibilityQuery
-{
+class VisibilityQuery {
 public:
     /// Around the draws that are asked about. No two at a time.
-    class Scope
-    {
+    class Scope {
     public:
         explicit Scope(VisibilityQuery& query);
         ~Scope();
@@ -28,8 +25,7 @@ public:
 
     /// Draws and clears in its life happen only if some sample passed in the query's last scope. The GPU waits for the
     /// answer, the processor does not.
-    class Condition
-    {
+    class Condition {
     public:
         explicit Condition(const VisibilityQuery& query);
         ~Condition();

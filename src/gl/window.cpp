@@ -5,11 +5,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
-namespace
-{
+namespace {
 
 std::string lastGlfwError()
 {
@@ -95,15 +93,9 @@ void Window::makeCurrent()
     if (isShared_) listenOnce();
 }
 
-void Window::release()
-{
-    glfwMakeContextCurrent(nullptr);
-}
+void Window::release() { glfwMakeContextCurrent(nullptr); }
 
-std::unique_ptr<Context> Window::makeShared()
-{
-    return std::unique_ptr<Context>(new Window(window_));
-}
+std::unique_ptr<Context> Window::makeShared() { return std::unique_ptr<Context>(new Window(window_)); }
 
 ivec2 Window::framebufferSize() const
 {
@@ -112,24 +104,12 @@ ivec2 Window::framebufferSize() const
     return size;
 }
 
-void Window::swap()
-{
-    glfwSwapBuffers(window_);
-}
+void Window::swap() { glfwSwapBuffers(window_); }
 
-void Window::setVsync(bool on)
-{
-    glfwSwapInterval(on ? 1 : 0);
-}
+void Window::setVsync(bool on) { glfwSwapInterval(on ? 1 : 0); }
 
-void Window::setTitle(const std::string& title)
-{
-    glfwSetWindowTitle(window_, title.c_str());
-}
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
-bool Window::shouldClose() const
-{
-    return glfwWindowShouldClose(window_) == GLFW_TRUE;
-}
+bool Window::shouldClose() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 
 } // namespace tarn::gl

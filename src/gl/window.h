@@ -7,8 +7,7 @@
 
 struct GLFWwindow;
 
-namespace tarn::gl
-{
+namespace tarn::gl {
 
 /// True when a window can be opened: an X or Wayland display answers.
 bool displayAvailable();
@@ -21,8 +20,7 @@ struct WindowDesc {
     bool vsync = true;
 };
 
-class Window : public Context
-{
+class Window : public Context {
 public:
     /// Opens it and makes its context current. Throws Error when there is no display or no OpenGL 3.3.
     explicit Window(const WindowDesc& desc);

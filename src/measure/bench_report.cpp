@@ -7,18 +7,16 @@
 
 #include <algorithm>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 nlohmann::json summaryJson(const std::vector<double>& samples)
 {
     if (samples.empty()) return nullptr;
     const Summary s = summarise(samples);
-    return {{"count", s.count}, {"minimum", s.minimum}, {"median", s.median},
-            {"mean", s.mean},   {"p95", s.p95},         {"p99", s.p99},       {"maximum", s.maximum}};
+    return {{"count", s.count}, {"minimum", s.minimum}, {"median", s.median},  {"mean", s.mean},
+            {"p95", s.p95},     {"p99", s.p99},         {"maximum", s.maximum}};
 }
 
 nlohmann::json seriesJson(const BenchSeries& series)
@@ -31,8 +29,7 @@ nlohmann::json seriesJson(const BenchSeries& series)
 nlohmann::json callsJson(const gl::Counters& calls)
 {
     nlohmann::json json = nlohmann::json::object();
-    for (std::size_t i = 0; i < gl::callCount; ++i)
-        json[std::string(gl::callNames[i])] = calls.calls[i];
+    for (std::size_t i = 0; i < gl::callCount; ++i) json[std::string(gl::callNames[i])] = calls.calls[i];
     return json;
 }
 
@@ -60,8 +57,7 @@ std::string callsLine(const gl::Counters& calls)
 
 std::string cell(const std::vector<double>& samples, double fraction)
 {
-    return samples.empty() ? fmt::format("{:>10}", "-")
-                           : fmt::format("{:>10.2f}", percentile(samples, fraction));
+    return samples.empty() ? fmt::format("{:>10}", "-") : fmt::format("{:>10.2f}", percentile(samples, fraction));
 }
 
 std::string row(const std::string& name, const BenchSeries& series)
@@ -72,10 +68,9 @@ std::string row(const std::string& name, const BenchSeries& series)
 
 std::string resultTable(const BenchResult& result)
 {
-    std::string text = fmt::format("\n{:<16}{:>10}{:>10}{:>10}{:>10}{:>10}{:>12}\n", result.name, "wall ms",
-                                   "95 %", "99 %", "cpu ms", "95 %", "triangles");
-    for (const auto& [name, series] : result.passes)
-        text += row(name, series);
+    std::string text = fmt::format("\n{:<16}{:>10}{:>10}{:>10}{:>10}{:>10}{:>12}\n", result.name, "wall ms", "95 %",
+                                   "99 %", "cpu ms", "95 %", "triangles");
+    for (const auto& [name, series] : result.passes) text += row(name, series);
     return text + row("frame", result.frame) + callsLine(result.calls);
 }
 
@@ -84,8 +79,7 @@ std::string resultTable(const BenchResult& result)
 nlohmann::json toJson(const BenchReport& report)
 {
     nlohmann::json json;
-    for (const auto& [key, value] : report.context)
-        json["context"][key] = value;
+    for (const auto& [key, value] : report.context) json["context"][key] = value;
     json["frames"] = report.plan.frames;
     json["warm_up"] = report.plan.warmUp;
     json["configurations"] = nlohmann::json::array();
@@ -119,21 +113,19 @@ nlohmann::json toJson(const BenchReport& report)
 std::string toTable(const BenchReport& report)
 {
     std::string text;
-    for (const auto& [key, value] : report.context)
-        text += fmt::format("{:<16}{}\n", key, value);
+    for (const auto& [key, value] : report.context) text += fmt::format("{:<16}{}\n", key, value);
     text += fmt::format("{:<16}{} of each configuration, taking turns, after {} to warm up\n", "frames",
                         report.plan.frames, report.plan.warmUp);
     if (report.yardstick) text += resultTable(*report.yardstick);
-    for (const BenchResult& result : report.results)
-        text += resultTable(result);
+    for (const BenchResult& result : report.results) text += resultTable(result);
     const BenchResult& base = report.results.back();
     for (std::size_t i = 0; i + 1 < report.results.size(); ++i) {
         const BenchResult& result = report.results[i];
-        text += fmt::format("\n{} costs {:.2f} x {} (wall time) and {:.2f} x (processor time); in all {:.3f} and {:.3f}\n",
-                            result.name, medianRatio(result.frame.wallMs, base.frame.wallMs), base.name,
-                            medianRatio(result.frame.cpuMs, base.frame.cpuMs),
-                            totalRatio(result.frame.wallMs, base.frame.wallMs),
-                            totalRatio(result.frame.cpuMs, base.frame.cpuMs));
+        text += fmt::format(
+            "\n{} costs {:.2f} x {} (wall time) and {:.2f} x (processor time); in all {:.3f} and {:.3f}\n", result.name,
+            medianRatio(result.frame.wallMs, base.frame.wallMs), base.name,
+            medianRatio(result.frame.cpuMs, base.frame.cpuMs), totalRatio(result.frame.wallMs, base.frame.wallMs),
+            totalRatio(result.frame.cpuMs, base.frame.cpuMs));
     }
     return text + yardstickLines(report);
 }
@@ -142,9 +134,8 @@ std::string yardstickLines(const BenchReport& report)
 {
     if (!report.yardstick) return "";
     const BenchSeries& yardstick = report.yardstick->frame;
-    std::string text =
-        fmt::format("\nthe yardstick takes {:.1f} ms (wall time) and {:.1f} ms (processor time)\n",
-                    percentile(yardstick.wallMs, 0.5), percentile(yardstick.cpuMs, 0.5));
+    std::string text = fmt::format("\nthe yardstick takes {:.1f} ms (wall time) and {:.1f} ms (processor time)\n",
+                                   percentile(yardstick.wallMs, 0.5), percentile(yardstick.cpuMs, 0.5));
     for (const BenchResult& result : report.results)
         text += fmt::format("{}: {:.2f} x yardstick (wall time), {:.2f} x (processor time)\n", result.name,
                             medianRatio(result.frame.wallMs, yardstick.wallMs),

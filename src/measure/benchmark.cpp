@@ -9,8 +9,7 @@
 #include <ctime>
 #include <utility>
 
-namespace tarn
-{
+namespace tarn {
 
 double processCpuSeconds()
 {
@@ -19,14 +18,12 @@ double processCpuSeconds()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-namespace
-{
+namespace {
 
 using Clock = std::chrono::steady_clock;
 
 /// Samples of one subject while the benchmark runs.
-class Recorder
-{
+class Recorder {
 public:
     explicit Recorder(std::string name) { result_.name = std::move(name); }
 
@@ -38,8 +35,7 @@ public:
 
     void calls(const gl::Counters& calls)
     {
-        for (std::size_t i = 0; i < gl::callCount; ++i)
-            calls_[i].push_back(static_cast<double>(calls.calls[i]));
+        for (std::size_t i = 0; i < gl::callCount; ++i) calls_[i].push_back(static_cast<double>(calls.calls[i]));
     }
 
     void passes(const std::vector<BenchPass>& passes)
@@ -58,8 +54,7 @@ public:
     BenchResult finish()
     {
         result_.frame.triangles = median(triangles_);
-        for (std::size_t i = 0; i < gl::callCount; ++i)
-            result_.calls.calls[i] = median(calls_[i]);
+        for (std::size_t i = 0; i < gl::callCount; ++i) result_.calls.calls[i] = median(calls_[i]);
         for (Row& row : rows_) {
             row.series.triangles = median(row.triangles);
             result_.passes.emplace_back(std::move(row.name), std::move(row.series));
@@ -81,8 +76,7 @@ private:
 
     Row& rowOf(const std::string& name)
     {
-        const auto found =
-            std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.name == name; });
+        const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.name == name; });
         if (found != rows_.end()) return *found;
         rows_.push_back({name, {}, {}});
         return rows_.back();
@@ -117,13 +111,11 @@ BenchReport runBenchmark(const std::vector<std::unique_ptr<BenchSubject>>& subje
         throw Error("a benchmark needs something to measure and at least one frame");
     std::vector<BenchSubject*> all;
     if (yardstick) all.push_back(yardstick);
-    for (const auto& subject : subjects)
-        all.push_back(subject.get());
+    for (const auto& subject : subjects) all.push_back(subject.get());
     std::vector<Recorder> recorders;
     for (BenchSubject* subject : all) {
         if (progress) progress->report(0.0, "warming up " + subject->name());
-        for (int index = 0; index < plan.warmUp; ++index)
-            subject->draw(index);
+        for (int index = 0; index < plan.warmUp; ++index) subject->draw(index);
         recorders.emplace_back(subject->name());
     }
 
@@ -142,8 +134,7 @@ BenchReport runBenchmark(const std::vector<std::unique_ptr<BenchSubject>>& subje
 
     BenchReport report;
     report.plan = plan;
-    for (Recorder& recorder : recorders)
-        report.results.push_back(recorder.finish());
+    for (Recorder& recorder : recorders) report.results.push_back(recorder.finish());
     if (yardstick) {
         report.yardstick = std::move(report.results.front());
         report.results.erase(report.results.begin());

@@ -16,8 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 struct BenchPass {
     std::string name;
@@ -26,8 +25,7 @@ struct BenchPass {
     std::uint64_t triangles = 0; ///< sent to the GPU
 };
 
-class BenchSubject
-{
+class BenchSubject {
 public:
     virtual ~BenchSubject() = default;
     virtual std::string name() const = 0;
@@ -65,9 +63,8 @@ using BenchContext = std::vector<std::pair<std::string, std::string>>;
 struct BenchReport {
     BenchContext context;
     BenchPlan plan;
-    std::vector<BenchResult> results; ///< ratios are against the last one
-    std::optional<BenchResult>
-        yardstick{}; ///< that every result is told as a multiple of, where it was measured
+    std::vector<BenchResult> results;       ///< ratios are against the last one
+    std::optional<BenchResult> yardstick{}; ///< that every result is told as a multiple of, where it was measured
 };
 
 /// @param progress may be null

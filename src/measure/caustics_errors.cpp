@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 using glm::dvec3;
 
@@ -19,10 +17,7 @@ float fromEdge(const LevelRect& rect, const vec2& plane)
     return std::min(inside.x, inside.y);
 }
 
-float texelEdge(const CausticsMap& map)
-{
-    return 2.0f * map.region.rect.halfExtent.x / static_cast<float>(map.edge);
-}
+float texelEdge(const CausticsMap& map) { return 2.0f * map.region.rect.halfExtent.x / static_cast<float>(map.edge); }
 
 /// Whether scene.frag takes all of a place's light from the texture: its `gathered` is 1.
 bool relies(const CausticsMap& map, const vec2& plane)

@@ -19,8 +19,7 @@ dmat3 deriveRelativeFromRgb()
     const dvec3 white = tristimulus(0.3127, 0.3290);
     const dvec3 luminances = glm::inverse(primaries) * white; // of the primaries that add up to white
     dmat3 result;
-    for (int primary = 0; primary < 3; ++primary)
-        result[primary] = primaries[primary] * luminances[primary] / white;
+    for (int primary = 0; primary < 3; ++primary) result[primary] = primaries[primary] * luminances[primary] / white;
     return result;
 }
 
@@ -29,10 +28,7 @@ constexpr float kneeRoot = 6.0f / 29.0f;
 constexpr float kneeSlope = 3.0f * kneeRoot * kneeRoot;
 constexpr float kneeOffset = 4.0f / 29.0f;
 
-float labRoot(float t)
-{
-    return t > kneeRoot * kneeRoot * kneeRoot ? std::cbrt(t) : t / kneeSlope + kneeOffset;
-}
+float labRoot(float t) { return t > kneeRoot * kneeRoot * kneeRoot ? std::cbrt(t) : t / kneeSlope + kneeOffset; }
 
 float labCube(float root) { return root > kneeRoot ? root * root * root : kneeSlope * (root - kneeOffset); }
 

@@ -15,20 +15,11 @@ std::string escaped(const std::string& text)
     std::string result;
     for (const char c : text) {
         switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
+        case '&': result += "&amp;"; break;
+        case '<': result += "&lt;"; break;
+        case '>': result += "&gt;"; break;
+        case '"': result += "&quot;"; break;
+        default: result += c;
         }
     }
     return result;
@@ -37,8 +28,8 @@ std::string escaped(const std::string& text)
 std::string picture(const char* style, const char* label, const std::optional<std::string>& png)
 {
     if (!png) return fmt::format("<p class=\"{} none\">no {} picture</p>", style, label);
-    return fmt::format("<img class=\"{}\" alt=\"{}\" title=\"{}\" src=\"data:image/png;base64,{}\">", style,
-                       label, label, base64(*png));
+    return fmt::format("<img class=\"{}\" alt=\"{}\" title=\"{}\" src=\"data:image/png;base64,{}\">", style, label,
+                       label, base64(*png));
 }
 
 std::string section(const ComparisonEntry& entry)
@@ -53,10 +44,10 @@ std::string section(const ComparisonEntry& entry)
     html += fmt::format("<figure>{}<figcaption>difference, 16 times</figcaption></figure>\n",
                         picture("plain", "difference", entry.differencePng));
     if (entry.expectedPng && entry.actualPng)
-        html += fmt::format("<figure class=\"flip\">{}{}<figcaption>actual; expected under the pointer"
-                            "</figcaption></figure>\n",
-                            picture("under", "expected", entry.expectedPng),
-                            picture("over", "actual", entry.actualPng));
+        html +=
+            fmt::format("<figure class=\"flip\">{}{}<figcaption>actual; expected under the pointer"
+                        "</figcaption></figure>\n",
+                        picture("under", "expected", entry.expectedPng), picture("over", "actual", entry.actualPng));
     return html + "</div>\n</section>\n";
 }
 
@@ -89,8 +80,7 @@ std::string base64(const std::string& bytes)
         std::uint32_t group = 0;
         for (std::size_t j = 0; j < 3; ++j)
             group = group << 8 | (j < count ? static_cast<std::uint8_t>(bytes[i + j]) : 0u);
-        for (std::size_t j = 0; j < 4; ++j)
-            text += j <= count ? digits[group >> (18 - 6 * j) & 63u] : '=';
+        for (std::size_t j = 0; j < 4; ++j) text += j <= count ? digits[group >> (18 - 6 * j) & 63u] : '=';
     }
     return text;
 }
@@ -99,8 +89,7 @@ std::string comparisonPage(const std::string& title, const std::vector<Compariso
 {
     std::string html = fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<title>{}</title>\n{}<h1>{}</h1>\n",
                                    escaped(title), head, escaped(title));
-    for (const ComparisonEntry& entry : entries)
-        html += section(entry);
+    for (const ComparisonEntry& entry : entries) html += section(entry);
     return html + "</html>\n";
 }
 

@@ -10,11 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 using glm::dvec2;
 using glm::dvec3;
@@ -27,8 +25,7 @@ EyePoints emptyPoints(const Camera& camera, ivec2 size)
 }
 
 /// Where a picture shows a place of the world, in pixels from the centre of its upper left one.
-class Projection
-{
+class Projection {
 public:
     explicit Projection(const EyePoints& eye) : size_(eye.size)
     {
@@ -80,14 +77,12 @@ std::optional<dvec2> placeWithin(const Patch& patch, const dvec3& point)
 }
 
 /// Finds where a picture shows a point. Cell (x, y) lies between the centres of pixel (x, y) and the one right below.
-class PartnerSearch
-{
+class PartnerSearch {
 public:
     explicit PartnerSearch(const EyePoints& eye) : eye_(eye), cells_(eye.size - 1)
     {
         for (int y = 0; y < cells_.y; ++y)
-            for (int x = 0; x < cells_.x; ++x)
-                boxes_.push_back(boxOf({x, y}));
+            for (int x = 0; x < cells_.x; ++x) boxes_.push_back(boxOf({x, y}));
     }
 
     /// The nearest place to `expected` of those that show the point, within `reach` pixels of it.
@@ -161,8 +156,7 @@ private:
     {
         for (int y = -ring; y <= ring; ++y) {
             const int step = std::abs(y) == ring || ring == 0 ? 1 : 2 * ring;
-            for (int x = -ring; x <= ring; x += step)
-                visit(centre + ivec2(x, y));
+            for (int x = -ring; x <= ring; x += step) visit(centre + ivec2(x, y));
         }
     }
 
@@ -182,8 +176,7 @@ void requireOneSize(const StereoPair& drawn, const StereoPair& truth)
 double meanOf(const std::vector<double>& values)
 {
     double sum = 0.0;
-    for (const double value : values)
-        sum += value;
+    for (const double value : values) sum += value;
     return sum / static_cast<double>(values.size());
 }
 
@@ -241,8 +234,8 @@ std::vector<std::optional<vec2>> disparities(const StereoPair& pair, const Water
     tbb::parallel_for(tbb::blocked_range<int>(0, size.y), [&](const auto& rows) {
         for (int y = rows.begin(); y < rows.end(); ++y) {
             for (int x = 0; x < size.x; ++x) {
-                const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                                   static_cast<std::size_t>(x);
+                const auto pixel =
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
                 if (!pair.left.isKnown[pixel]) continue;
                 const dvec3 point(pair.left.points[pixel]);
                 const dvec2 flat = rightProjection.at(seenInFlatWater(point, pair.right.camera, water, way)) -

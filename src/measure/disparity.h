@@ -1,7 +1,7 @@
 // How far a drawn pair's disparity is from the reference's: whether both eyes agree on where a thing in the water is.
 //
-//     const EyePoints left = pointsShown(used, camera, ShownBy::refraction);  // and right; and the same of the reference
-//     const DisparityErrors errors = disparityErrors({left, right}, {trueLeft, trueRight}, water);
+//     const EyePoints left = pointsShown(used, camera, ShownBy::refraction);  // and right; and the same of the
+//     reference const DisparityErrors errors = disparityErrors({left, right}, {trueLeft, trueRight}, water);
 #pragma once
 
 #include "measure/water_quantities.h"
@@ -12,8 +12,7 @@
 #include <limits>
 #include <optional>
 
-namespace tarn
-{
+namespace tarn {
 
 /// By which way the water shows a point.
 enum class ShownBy { refraction, reflection };
@@ -50,8 +49,8 @@ std::vector<std::optional<vec2>> disparities(const StereoPair& pair, const Water
 struct DisparityErrors {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-    std::size_t pixels = 0;   ///< of the left picture in which both pairs show a point
-    std::size_t compared = 0; ///< of these, in which both know a partner
+    std::size_t pixels = 0;                           ///< of the left picture in which both pairs show a point
+    std::size_t compared = 0;                         ///< of these, in which both know a partner
     double median = none, p95 = none, maximum = none; ///< of the horizontal error's size, pixels
     double bias = none;                               ///< its mean with its sign, pixels
     double verticalMedian = none, verticalP95 = none; ///< of the vertical error's size, pixels

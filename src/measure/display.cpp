@@ -18,12 +18,9 @@ void requireLinear(const Image& image)
 vec3 toneMapped(const vec3& colour, FrameOptions::ToneCurve curve)
 {
     switch (curve) {
-    case FrameOptions::ToneCurve::linear:
-        return optics::toneLinear(colour);
-    case FrameOptions::ToneCurve::reinhard:
-        return optics::toneReinhard(colour);
-    case FrameOptions::ToneCurve::aces:
-        break;
+    case FrameOptions::ToneCurve::linear: return optics::toneLinear(colour);
+    case FrameOptions::ToneCurve::reinhard: return optics::toneReinhard(colour);
+    case FrameOptions::ToneCurve::aces: break;
     }
     return optics::toneAces(colour);
 }
@@ -44,8 +41,7 @@ Image exposedPicture(const Image& linear, float exposure)
     Image result{linear.name, linear.width, linear.height, 3, {}, {}};
     result.floats.reserve(result.size());
     forPixels(linear, [&](const vec3& radiance) {
-        for (int i = 0; i < 3; ++i)
-            result.floats.push_back(exposure * radiance[i]);
+        for (int i = 0; i < 3; ++i) result.floats.push_back(exposure * radiance[i]);
     });
     return result;
 }
@@ -57,8 +53,7 @@ Image displayPicture(const Image& exposed, FrameOptions::ToneCurve curve)
     result.bytes.reserve(result.size());
     forPixels(exposed, [&](const vec3& colour) {
         const vec3 shown = optics::srgbColour(toneMapped(colour, curve));
-        for (int i = 0; i < 3; ++i)
-            result.bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * shown[i])));
+        for (int i = 0; i < 3; ++i) result.bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * shown[i])));
     });
     return result;
 }

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace tarn
-{
+namespace tarn {
 
 std::span<const FigureField> errorFigureFields()
 {
@@ -30,10 +29,13 @@ std::span<const FigureField> errorFigureFields()
         FigureField{"reflection.p95", "deg", "Reflection hit error, 95th percentile", &E::reflectionP95},
         FigureField{"reflection.p99", "deg", "Reflection hit error, 99th percentile", &E::reflectionP99},
         FigureField{"reflection.max", "deg", "Reflection hit error, maximum", &E::reflectionMax},
-        FigureField{"reflection.scene_p95", "deg", "The same of the pixels that truly mirror the scene, 180 where they show sky",
+        FigureField{"reflection.scene_p95", "deg",
+                    "The same of the pixels that truly mirror the scene, 180 where they show sky",
                     &E::reflectionSceneP95},
-        FigureField{"reflection.wrong", "", "Share of pixels that mirror sky for scene or the reverse, or a point a tenth "
-                    "of the way off", &E::reflectionWrong},
+        FigureField{"reflection.wrong", "",
+                    "Share of pixels that mirror sky for scene or the reverse, or a point a tenth "
+                    "of the way off",
+                    &E::reflectionWrong},
         FigureField{"fresnel.mean", "", "Fresnel error, mean", &E::fresnelMean},
         FigureField{"fresnel.max", "", "Fresnel error, maximum", &E::fresnelMax},
         FigureField{"path.median", "m", "Path-length error, median", &E::pathMedian},

@@ -4,8 +4,7 @@
 #include <limits>
 #include <span>
 
-namespace tarn
-{
+namespace tarn {
 
 /// NaN stands for "there is nothing to measure": no water pixel, no caustics pass, no refracted ray.
 struct ErrorFigures {
@@ -17,18 +16,20 @@ struct ErrorFigures {
     double refractionWrongTexel = none; ///< share over one texel's footprint of the refraction target at the true hit
     double refractionInvalid = none;    ///< share without a valid sample
     double refractionHidden = none;     ///< share whose true hit the map of heights does not hold: something is over it
-    double refractionSteppedOver = none; ///< share whose ray was marched past, or did not find, what the map holds in its way
+    double refractionSteppedOver =
+        none; ///< share whose ray was marched past, or did not find, what the map holds in its way
     // Reflection hit error: between the used and the true direction from U to the hit.
     double reflectionMedian = none, reflectionP95 = none, reflectionP99 = none, reflectionMax = none; ///< degrees
-    double reflectionSceneP95 = none; ///< degrees, of the pixels that truly mirror the scene; 180 where they show the sky
-    double reflectionWrong = none;    ///< share of pixels that show something else than what is mirrored
+    double reflectionSceneP95 =
+        none;                      ///< degrees, of the pixels that truly mirror the scene; 180 where they show the sky
+    double reflectionWrong = none; ///< share of pixels that show something else than what is mirrored
     double fresnelMean = none, fresnelMax = none; ///< of the reflectance
     double pathMedian = none, pathP99 = none;     ///< m
-    double causticsRmse = none;   ///< relative to the mean of the reference
-    double causticsEnergy = none; ///< total flux over the reference's
-    double flip = none;           ///< mean, of the display pictures
-    double flipWater = none;      ///< mean over the pixels that show water
-    double rmse = none, psnr = none; ///< linear radiance times exposure; dB
+    double causticsRmse = none;                   ///< relative to the mean of the reference
+    double causticsEnergy = none;                 ///< total flux over the reference's
+    double flip = none;                           ///< mean, of the display pictures
+    double flipWater = none;                      ///< mean over the pixels that show water
+    double rmse = none, psnr = none;              ///< linear radiance times exposure; dB
 };
 
 /// One figure by name, for tables, CSV and JSON: "refraction.median", "flip" …
@@ -36,7 +37,7 @@ struct FigureField {
     const char* name;
     const char* unit;
     const char* doc;
-    double ErrorFigures::* member;
+    double ErrorFigures::*member;
     bool smallerIsBetter = true;
 };
 std::span<const FigureField> errorFigureFields();

@@ -6,14 +6,13 @@
 #include <cmath>
 #include <limits>
 
-namespace tarn
-{
+namespace tarn {
 
 Image errorMap(ErrorKind kind, const WaterQuantities& used, const reference::Picture& truth)
 {
     if (used.size != truth.size)
-        throw Error("a picture of {}x{} pixels cannot be compared with a reference of {}x{}", used.size.x,
-                    used.size.y, truth.size.x, truth.size.y);
+        throw Error("a picture of {}x{} pixels cannot be compared with a reference of {}x{}", used.size.x, used.size.y,
+                    truth.size.x, truth.size.y);
     Image map;
     map.name = std::string(infoOf(kind).name) + " error";
     map.width = used.size.x;

@@ -4,8 +4,7 @@
 #include "measure/water_errors.h"
 #include "scene/image.h"
 
-namespace tarn
-{
+namespace tarn {
 
 /// One channel of floats, in the kind's unit; NaN where errorAt knows nothing. Throws Error when the sizes
 /// differ.

@@ -50,8 +50,7 @@ template <typename Function> Kernel normalised(int radius, const Function& f)
     }
     Kernel kernel;
     for (const double weight : weights)
-        kernel.push_back(
-            static_cast<float>(weight == 0.0 ? 0.0 : weight / (weight > 0.0 ? positive : negative)));
+        kernel.push_back(static_cast<float>(weight == 0.0 ? 0.0 : weight / (weight > 0.0 ? positive : negative)));
     return kernel;
 }
 
@@ -75,14 +74,12 @@ SensitivityFilter sensitivityFilter(const Sensitivity& function, double pixelsPe
             return std::exp(-piSquared * x * x / (b * pixelsPerDegree * pixelsPerDegree));
         };
         double sum = 0.0;
-        for (int x = -radius; x <= radius; ++x)
-            sum += gaussian(static_cast<double>(x));
+        for (int x = -radius; x <= radius; ++x) sum += gaussian(static_cast<double>(x));
         sums.push_back(a * std::sqrt(std::numbers::pi / b) * sum * sum);
         filter.push_back({0.0f, normalised(radius, gaussian)});
     }
     const double total = std::accumulate(sums.begin(), sums.end(), 0.0);
-    for (std::size_t i = 0; i < filter.size(); ++i)
-        filter[i].weight = static_cast<float>(sums[i] / total);
+    for (std::size_t i = 0; i < filter.size(); ++i) filter[i].weight = static_cast<float>(sums[i] / total);
     return filter;
 }
 
@@ -98,16 +95,14 @@ Eye makeEye(double pixelsPerDegree)
     const double deviation = 0.5 * featureWidth * pixelsPerDegree;
     const int radius = cutRadius(deviation);
     const auto gaussian = [&](double x) { return std::exp(-x * x / (2.0 * deviation * deviation)); };
-    Eye eye{
-        {sensitivityFilter(achromatic, pixelsPerDegree), sensitivityFilter(redGreen, pixelsPerDegree),
-         sensitivityFilter(blueYellow, pixelsPerDegree)},
-        normalised(radius, gaussian),
-        normalised(radius, [&](double x) { return -x * gaussian(x); }),
-        normalised(radius, [&](double x) { return (x * x / (deviation * deviation) - 1.0) * gaussian(x); }),
-        radius};
+    Eye eye{{sensitivityFilter(achromatic, pixelsPerDegree), sensitivityFilter(redGreen, pixelsPerDegree),
+             sensitivityFilter(blueYellow, pixelsPerDegree)},
+            normalised(radius, gaussian),
+            normalised(radius, [&](double x) { return -x * gaussian(x); }),
+            normalised(radius, [&](double x) { return (x * x / (deviation * deviation) - 1.0) * gaussian(x); }),
+            radius};
     for (const SensitivityFilter& filter : eye.sensitivity)
-        for (const WeightedKernel& part : filter)
-            eye.halo = std::max(eye.halo, radiusOf(part.kernel));
+        for (const WeightedKernel& part : filter) eye.halo = std::max(eye.halo, radiusOf(part.kernel));
     return eye;
 }
 
@@ -116,8 +111,7 @@ Plane filtered(const Plane& plane, const SensitivityFilter& filter, int halo)
     Plane result(plane.width, plane.height - 2 * halo);
     for (const WeightedKernel& part : filter) {
         const Plane one = filterColumns(filterRows(plane, part.kernel), part.kernel, halo);
-        for (std::size_t i = 0; i < result.values.size(); ++i)
-            result.values[i] += part.weight * one.values[i];
+        for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] += part.weight * one.values[i];
     }
     return result;
 }
@@ -131,14 +125,12 @@ Opponent opponentRows(const Image& image, int first, int end)
 {
     static const std::array<float, 256> linear = [] {
         std::array<float, 256> table{};
-        for (std::size_t i = 0; i < table.size(); ++i)
-            table[i] = srgbDecode(static_cast<float>(i) / 255.0f);
+        for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgbDecode(static_cast<float>(i) / 255.0f);
         return table;
     }();
     Opponent planes;
     planes.fill(Plane(image.width, end - first));
-    const auto channels = static_cast<std::size_t>(image.channels),
-               width = static_cast<std::size_t>(image.width);
+    const auto channels = static_cast<std::size_t>(image.channels), width = static_cast<std::size_t>(image.width);
     const mat3 relativeOfRgb = relativeFromRgb();
     for (int y = first; y < end; ++y) {
         const auto from = static_cast<std::size_t>(std::clamp(y, 0, image.height - 1));
@@ -225,8 +217,7 @@ Seen see(const Image& image, int first, int end, const Eye& eye)
 {
     const Opponent planes = opponentRows(image, first - eye.halo, end + eye.halo);
     Seen seen;
-    for (std::size_t i = 0; i < planes.size(); ++i)
-        seen.blurred[i] = filtered(planes[i], eye.sensitivity[i], eye.halo);
+    for (std::size_t i = 0; i < planes.size(); ++i) seen.blurred[i] = filtered(planes[i], eye.sensitivity[i], eye.halo);
     seen.features = featuresOf(planes[0], eye);
     return seen;
 }
@@ -249,8 +240,7 @@ void judgeInStrips(const Image& reference, const Image& test, const Eye& eye, Im
     const int strips = (map.height + rows - 1) / rows;
     tbb::parallel_for(0, strips, [&](int strip) {
         const int first = strip * rows;
-        float* values =
-            map.floats.data() + static_cast<std::size_t>(first) * static_cast<std::size_t>(map.width);
+        float* values = map.floats.data() + static_cast<std::size_t>(first) * static_cast<std::size_t>(map.width);
         judge(reference, test, eye, first, std::min(first + rows, map.height), values);
     });
 }
@@ -270,8 +260,8 @@ Image flipMap(const Image& reference, const Image& test, double pixelsPerDegree)
         if (image->bytes.empty() || image->bytes.size() != image->size())
             throw Error("{}: FLIP compares 8-bit sRGB pictures", image->name);
     if (!(pixelsPerDegree >= leastPixelsPerDegree && pixelsPerDegree <= mostPixelsPerDegree))
-        throw Error("FLIP: {} pixels per degree; from {} to {} are possible", pixelsPerDegree,
-                    leastPixelsPerDegree, mostPixelsPerDegree);
+        throw Error("FLIP: {} pixels per degree; from {} to {} are possible", pixelsPerDegree, leastPixelsPerDegree,
+                    mostPixelsPerDegree);
     Image map{"FLIP of " + test.name, reference.width, reference.height, 1, {}, {}};
     map.floats.resize(map.size());
     judgeInStrips(reference, test, makeEye(pixelsPerDegree), map);
@@ -287,8 +277,7 @@ double meanOf(const Image& map)
 {
     requireMap(map);
     double sum = 0.0;
-    for (const float value : map.floats)
-        sum += static_cast<double>(value);
+    for (const float value : map.floats) sum += static_cast<double>(value);
     return sum / static_cast<double>(map.floats.size());
 }
 

@@ -55,8 +55,7 @@ Image heatPicture(const Image& oneChannel, double lower, double upper)
     result.bytes.reserve(result.size());
     for (const float value : oneChannel.floats) {
         const vec3 colour = heatColour((static_cast<double>(value) - lower) / (upper - lower));
-        for (int i = 0; i < 3; ++i)
-            result.bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * colour[i])));
+        for (int i = 0; i < 3; ++i) result.bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * colour[i])));
     }
     return result;
 }

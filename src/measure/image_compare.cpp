@@ -48,13 +48,11 @@ std::string PictureComparison::summary() const
     return fmt::format(
         "{} of {} pixels differ by more than {}/255 ({} may), {} by more than {}/255 ({} may); "
         "the largest difference is {}/255, at pixel {},{}; the mean one of a channel {:+.3f}/255 ({} may be)",
-        overChannel, pixels, tolerance.channel, allowed(tolerance.share, pixels), overHardLimit,
-        tolerance.hardLimit, allowed(tolerance.hardShare, pixels), largest, largestAt.x, largestAt.y,
-        mean, tolerance.mean);
+        overChannel, pixels, tolerance.channel, allowed(tolerance.share, pixels), overHardLimit, tolerance.hardLimit,
+        allowed(tolerance.hardShare, pixels), largest, largestAt.x, largestAt.y, mean, tolerance.mean);
 }
 
-PictureComparison comparePictures(const Image& expected, const Image& actual,
-                                  const PictureTolerance& tolerance)
+PictureComparison comparePictures(const Image& expected, const Image& actual, const PictureTolerance& tolerance)
 {
     requireBytes(expected);
     requireBytes(actual);

@@ -23,8 +23,8 @@ struct PictureTolerance {
     /// Share of the pixels that may pass even that: 7 of 320x240. Silhouettes in views without multisampling
     /// flip whole pixels, one here and there; a patch as small as 3x3 pixels that is wrong is not forgiven.
     double hardShare = 0.0001;
-    /// Signed mean difference of a channel over the picture, of 255: rounding goes both ways, a light that is wrong by a
-    /// few per cent does not, and under the tone curve it stays within `channel`.
+    /// Signed mean difference of a channel over the picture, of 255: rounding goes both ways, a light that is wrong by
+    /// a few per cent does not, and under the tone curve it stays within `channel`.
     double mean = 0.25;
 };
 
@@ -44,8 +44,7 @@ struct PictureComparison {
 };
 
 /// Compares 8-bit pictures. Sizes or channels that differ are a mismatch. Throws Error when one holds floats.
-PictureComparison comparePictures(const Image& expected, const Image& actual,
-                                  const PictureTolerance& tolerance = {});
+PictureComparison comparePictures(const Image& expected, const Image& actual, const PictureTolerance& tolerance = {});
 
 /// |expected - actual| · gain, clamped to 255, so that small differences are seen. Throws Error when the
 /// pictures cannot be compared.

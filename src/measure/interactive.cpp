@@ -24,8 +24,8 @@ nlohmann::json summaryJson(const std::vector<double>& samples)
 std::string row(const char* name, const std::vector<double>& samples)
 {
     const Summary s = summarise(samples);
-    return fmt::format("{:<20}{:>10}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", name, s.count, s.median, s.p95,
-                       s.p99, s.maximum);
+    return fmt::format("{:<20}{:>10}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", name, s.count, s.median, s.p95, s.p99,
+                       s.maximum);
 }
 
 } // namespace
@@ -41,14 +41,12 @@ InteractiveTimes playInputs(std::span<const double> due, const std::function<dou
     double lastEnd = 0.0;
     for (std::size_t shown = 0; shown < due.size();) {
         const double begin = now() - start;
-        const auto firstLater =
-            std::upper_bound(due.begin() + static_cast<std::ptrdiff_t>(shown), due.end(), begin);
+        const auto firstLater = std::upper_bound(due.begin() + static_cast<std::ptrdiff_t>(shown), due.end(), begin);
         const auto count = static_cast<std::size_t>(firstLater - due.begin()) - shown;
         draw({shown, count, begin});
         const double end = now() - start;
         times.frameMs.push_back(msPerSecond * (end - lastEnd));
-        for (const double moment : due.subspan(shown, count))
-            times.delayMs.push_back(msPerSecond * (end - moment));
+        for (const double moment : due.subspan(shown, count)) times.delayMs.push_back(msPerSecond * (end - moment));
         shown += count;
         lastEnd = end;
     }
@@ -62,8 +60,7 @@ nlohmann::json toJson(const InteractiveTimes& times)
 
 std::string toTable(const InteractiveTimes& times)
 {
-    return fmt::format("{:<20}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "count", "median", "95 %", "99 %",
-                       "most") +
+    return fmt::format("{:<20}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "count", "median", "95 %", "99 %", "most") +
            row("frame, ms", times.frameMs) + row("input to picture, ms", times.delayMs);
 }
 

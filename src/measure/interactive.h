@@ -24,8 +24,7 @@ struct InteractiveFrame {
 
 struct InteractiveTimes {
     std::vector<double> frameMs; ///< from the end of one picture to that of the next
-    std::vector<double>
-        delayMs; ///< of each input, from when it was due to the end of the first picture that shows it
+    std::vector<double> delayMs; ///< of each input, from when it was due to the end of the first picture that shows it
 };
 
 /// Plays a recording and goes on until every input has been shown.

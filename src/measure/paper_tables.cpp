@@ -22,19 +22,18 @@ PaperRow textureRow(int edge)
 
 std::vector<PaperTable> makeTables()
 {
-    return {
-        {.number = 2,
-         .title = "caustics on and off",
-         .rows = {{"caustics on", {"caustics.enabled=true"}}, {"caustics off", {"caustics.enabled=false"}}},
-         .base = 1,
-         .cards = {{"ATI Radeon X800", {27.0, 75.0}},
-                   {"GeForce 7950GT", {130.0, 170.0}},
-                   {"GeForce 6800", {57.0, 69.0}}}},
-        {.number = 3,
-         .title = "size of the refraction, reflection and caustics textures",
-         .rows = {textureRow(256), textureRow(512), textureRow(1024)},
-         .base = 0,
-         .cards = {{"ATI Radeon X800", {31.0, 28.0, 17.0}}}}};
+    return {{.number = 2,
+             .title = "caustics on and off",
+             .rows = {{"caustics on", {"caustics.enabled=true"}}, {"caustics off", {"caustics.enabled=false"}}},
+             .base = 1,
+             .cards = {{"ATI Radeon X800", {27.0, 75.0}},
+                       {"GeForce 7950GT", {130.0, 170.0}},
+                       {"GeForce 6800", {57.0, 69.0}}}},
+            {.number = 3,
+             .title = "size of the refraction, reflection and caustics textures",
+             .rows = {textureRow(256), textureRow(512), textureRow(1024)},
+             .base = 0,
+             .cards = {{"ATI Radeon X800", {31.0, 28.0, 17.0}}}}};
 }
 
 /// A row measured here beside one card of the thesis.
@@ -52,8 +51,8 @@ struct Measured {
 std::vector<Measured> measure(const PaperTable& table, const BenchReport& report)
 {
     if (report.results.size() != table.rows.size())
-        throw Error("table {} has {} rows, but {} configurations were measured", table.number,
-                    table.rows.size(), report.results.size());
+        throw Error("table {} has {} rows, but {} configurations were measured", table.number, table.rows.size(),
+                    report.results.size());
     const std::vector<double>& base = report.results[table.base].frame.wallMs;
     std::vector<Measured> rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -98,8 +97,7 @@ std::string markdownTable(const std::vector<Cells>& rows)
 {
     std::vector<std::size_t> widths(rows.front().size(), 3);
     for (const Cells& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i)
-            widths[i] = std::max(widths[i], row[i].size());
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
     std::string text;
     for (std::size_t r = 0; r < rows.size(); ++r) {
         for (std::size_t i = 0; i < rows[r].size(); ++i)
@@ -108,8 +106,7 @@ std::string markdownTable(const std::vector<Cells>& rows)
         text += '\n';
         if (r > 0) continue;
         for (std::size_t i = 0; i < widths.size(); ++i)
-            text += i == 0 ? fmt::format("| {:-<{}} |", "", widths[i])
-                           : fmt::format(" {:->{}} |", ":", widths[i]);
+            text += i == 0 ? fmt::format("| {:-<{}} |", "", widths[i]) : fmt::format(" {:->{}} |", ":", widths[i]);
         text += '\n';
     }
     return text;
@@ -126,8 +123,8 @@ std::string frameTable(const PaperTable& table, const BenchReport& report)
     const std::vector<Measured> measured = measure(table, report);
     for (std::size_t i = 0; i < measured.size(); ++i) {
         const Measured& m = measured[i];
-        Cells row{table.rows[i].name, fmt::format("{:.2f}", m.medianMs),
-                  fmt::format("{:.1f}", m.framesPerSecond), fmt::format("{:.2f}", m.ratio)};
+        Cells row{table.rows[i].name, fmt::format("{:.2f}", m.medianMs), fmt::format("{:.1f}", m.framesPerSecond),
+                  fmt::format("{:.2f}", m.ratio)};
         for (const Comparison& card : m.cards) {
             row.push_back(fmt::format("{:.0f} fps, {:.2f}", card.framesPerSecond, card.ratio));
             row.push_back(fmt::format("{:.2f}", card.oursOverThesis));
@@ -140,8 +137,7 @@ std::string frameTable(const PaperTable& table, const BenchReport& report)
 std::string passTable(const PaperTable& table, const BenchReport& report)
 {
     Cells head{"pass, median ms"};
-    for (const PaperRow& row : table.rows)
-        head.push_back(row.name);
+    for (const PaperRow& row : table.rows) head.push_back(row.name);
     std::vector<Cells> rows{head};
     for (const std::string& name : passNames(report)) {
         Cells row{name};
@@ -203,10 +199,9 @@ nlohmann::json toJson(const PaperTable& table, const BenchReport& report)
 std::string toMarkdown(const PaperTable& table, const BenchReport& report)
 {
     std::string text = fmt::format("# Mihálik 2008, table {}: {}\n\n", table.number, table.title);
-    for (const auto& [key, value] : report.context)
-        text += fmt::format("- {}: {}\n", key, value);
-    text += fmt::format("- frames: {} of each configuration, taking turns, after {} to warm up\n\n",
-                        report.plan.frames, report.plan.warmUp);
+    for (const auto& [key, value] : report.context) text += fmt::format("- {}: {}\n", key, value);
+    text += fmt::format("- frames: {} of each configuration, taking turns, after {} to warm up\n\n", report.plan.frames,
+                        report.plan.warmUp);
     text += frameTable(table, report);
     text += fmt::format("\nratio: frame rate against {}, the median over frames drawn next to each other; "
                         "beside it the thesis' cards.\n\n",

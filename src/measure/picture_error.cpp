@@ -32,14 +32,13 @@ void requireComparable(const Image& reference, const Image& test)
             throw Error("{}: has {} channel{}; pictures of red, green and blue are compared", image->name,
                         image->channels, image->channels == 1 ? "" : "s");
     if (reference.width != test.width || reference.height != test.height)
-        throw Error("{}: has {}x{} pixels, and {} has {}x{}; only pictures of the same size are compared",
-                    test.name, test.width, test.height, reference.name, reference.width, reference.height);
+        throw Error("{}: has {}x{} pixels, and {} has {}x{}; only pictures of the same size are compared", test.name,
+                    test.width, test.height, reference.name, reference.width, reference.height);
 }
 
 void requireFinite(const Image& image)
 {
-    const auto channels = static_cast<std::size_t>(image.channels),
-               width = static_cast<std::size_t>(image.width);
+    const auto channels = static_cast<std::size_t>(image.channels), width = static_cast<std::size_t>(image.width);
     for (std::size_t i = 0; i < image.floats.size(); ++i) {
         const std::size_t channel = i % channels, pixel = i / channels;
         if (channel >= colours || std::isfinite(image.floats[i])) continue;

@@ -9,8 +9,7 @@ namespace {
 /// sum[x] += weight * values[x]: the one loop that the time goes into, kept plain so that it is vectorised.
 void addScaled(float* sum, const float* values, float weight, int count)
 {
-    for (int x = 0; x < count; ++x)
-        sum[x] += weight * values[x];
+    for (int x = 0; x < count; ++x) sum[x] += weight * values[x];
 }
 
 } // namespace
@@ -37,8 +36,8 @@ Plane filterColumns(const Plane& plane, const Kernel& kernel, int halo)
     const int radius = radiusOf(kernel);
     for (int y = 0; y < result.height; ++y)
         for (int tap = -radius; tap <= radius; ++tap)
-            addScaled(result.row(y), plane.row(y + halo + tap),
-                      kernel[static_cast<std::size_t>(tap + radius)], plane.width);
+            addScaled(result.row(y), plane.row(y + halo + tap), kernel[static_cast<std::size_t>(tap + radius)],
+                      plane.width);
     return result;
 }
 

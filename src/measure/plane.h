@@ -16,10 +16,7 @@ struct Plane {
         : width(planeWidth), height(planeHeight),
           values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     {}
-    float* row(int y)
-    {
-        return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-    }
+    float* row(int y) { return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
     const float* row(int y) const { return const_cast<Plane*>(this)->row(y); }
 };
 

@@ -7,11 +7,9 @@
 #include <numeric>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 double percentileOfSorted(const std::vector<double>& sorted, double fraction)
 {
@@ -51,8 +49,7 @@ Summary summarise(std::span<const double> samples)
     return summary;
 }
 
-namespace
-{
+namespace {
 
 void requirePairs(std::span<const double> a, std::span<const double> b)
 {

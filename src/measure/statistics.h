@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace tarn
-{
+namespace tarn {
 
 /// The value below which `fraction` (0 to 1) of the samples lie, interpolated between neighbours
 /// (Hyndman & Fan 1996, definition 7). Throws Error when there are no samples.

@@ -7,20 +7,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
-using reference::Event;
 using glm::dvec3;
+using reference::Event;
 
 void requireSameSize(const WaterQuantities& used, const reference::Picture& truth)
 {
     if (used.size != truth.size)
-        throw Error("a picture of {}x{} pixels cannot be compared with a reference of {}x{}", used.size.x,
-                    used.size.y, truth.size.x, truth.size.y);
+        throw Error("a picture of {}x{} pixels cannot be compared with a reference of {}x{}", used.size.x, used.size.y,
+                    truth.size.x, truth.size.y);
 }
 
 bool showWater(const WaterQuantities& used, const reference::Picture& truth, std::size_t pixel)
@@ -43,22 +41,19 @@ double angleBetween(const dvec3& a, const dvec3& b)
 double reflectionError(const WaterQuantities& used, const reference::Picture& truth, std::size_t pixel)
 {
     const dvec3 surface(truth.surface[pixel]);
-    const dvec3 trueDirection =
-        glm::reflect(glm::normalize(surface - dvec3(used.eye)), dvec3(truth.normal[pixel]));
+    const dvec3 trueDirection = glm::reflect(glm::normalize(surface - dvec3(used.eye)), dvec3(truth.normal[pixel]));
     const dvec3 mirrored(used.mirrored[pixel]);
     return angleBetween(used.mirrorsSky[pixel] ? mirrored : mirrored - surface, trueDirection);
 }
 
-std::optional<double> causticsError(const WaterQuantities& used, const reference::Picture& truth,
-                                    std::size_t pixel)
+std::optional<double> causticsError(const WaterQuantities& used, const reference::Picture& truth, std::size_t pixel)
 {
     // Seen from under water, the bed's point is in no channel of the reference.
     if (!used.caustics || !truth.has(pixel, Event::causticsKnown) || !truth.has(pixel, Event::refractionHit) ||
         truth.has(pixel, Event::fromBelow))
         return std::nullopt;
     const CausticsMap& map = *used.caustics;
-    const vec2 plane =
-        optics::sunPlane(truth.refractionHit[pixel], map.level, optics::sunSlant(map.toSun));
+    const vec2 plane = optics::sunPlane(truth.refractionHit[pixel], map.level, optics::sunSlant(map.toSun));
     const std::optional<vec3> light = causticsAt(map, plane);
     if (!light) return std::nullopt;
     const vec3 difference = glm::abs(*light - truth.caustics[pixel]);
@@ -79,8 +74,7 @@ std::vector<double> errorsOf(ErrorKind kind, const WaterQuantities& used, const 
 double mean(const std::vector<double>& values)
 {
     double sum = 0.0;
-    for (const double value : values)
-        sum += value;
+    for (const double value : values) sum += value;
     return sum / static_cast<double>(values.size());
 }
 
@@ -104,7 +98,8 @@ void addMarched(ErrorFigures& figures, const WaterQuantities& used, const refere
     if (!used.heights) return;
     std::size_t marched = 0, hidden = 0, steppedOver = 0;
     for (std::size_t pixel = 0; pixel < used.pixels(); ++pixel) {
-        if (!showWater(used, truth, pixel) || !truth.has(pixel, Event::refractionHit) || truth.has(pixel, Event::fromBelow))
+        if (!showWater(used, truth, pixel) || !truth.has(pixel, Event::refractionHit) ||
+            truth.has(pixel, Event::fromBelow))
             continue;
         ++marched;
         hidden += !used.heights->holds(truth.refractionHit[pixel], 0.05f);
@@ -128,9 +123,7 @@ void addRefraction(ErrorFigures& figures, const WaterQuantities& used, const ref
         return valid;
     });
     if (refracted == 0) return;
-    const auto share = [&](std::size_t count) {
-        return static_cast<double>(count) / static_cast<double>(refracted);
-    };
+    const auto share = [&](std::size_t count) { return static_cast<double>(count) / static_cast<double>(refracted); };
     figures.refractionInvalid = share(invalid);
     figures.refractionWrong5cm = share(over5cm);
     figures.refractionWrongTexel = share(overTexel);
@@ -149,7 +142,8 @@ std::optional<bool> mirrorsOther(const WaterQuantities& used, const reference::P
     if (used.mirrorsSky[pixel]) return false;
     const dvec3 hit(truth.reflectionHit[pixel]);
     constexpr double nearEnough = 0.1; // of the way: what stands there is the same tree, or one beside it
-    return glm::distance(dvec3(used.mirrored[pixel]), hit) > nearEnough * glm::distance(hit, dvec3(truth.surface[pixel]));
+    return glm::distance(dvec3(used.mirrored[pixel]), hit) >
+           nearEnough * glm::distance(hit, dvec3(truth.surface[pixel]));
 }
 
 void addReflection(ErrorFigures& figures, const WaterQuantities& used, const reference::Picture& truth)
@@ -182,8 +176,7 @@ std::optional<double> errorAt(ErrorKind kind, const WaterQuantities& used, const
     if (!showWater(used, truth, pixel)) return std::nullopt;
     const bool hit = truth.has(pixel, Event::refractionHit);
     switch (kind) {
-    case ErrorKind::refraction:
-        return hit ? std::optional(refractionError(used, truth, pixel)) : std::nullopt;
+    case ErrorKind::refraction: return hit ? std::optional(refractionError(used, truth, pixel)) : std::nullopt;
     case ErrorKind::reflection:
         return used.reflects ? std::optional(reflectionError(used, truth, pixel)) : std::nullopt;
     case ErrorKind::fresnel:
@@ -191,8 +184,7 @@ std::optional<double> errorAt(ErrorKind kind, const WaterQuantities& used, const
     case ErrorKind::path:
         if (!hit && !truth.has(pixel, Event::fromBelow)) return std::nullopt;
         return std::abs(static_cast<double>(used.waterPath[pixel]) - static_cast<double>(truth.path[pixel]));
-    case ErrorKind::caustics:
-        return causticsError(used, truth, pixel);
+    case ErrorKind::caustics: return causticsError(used, truth, pixel);
     }
     return std::nullopt;
 }

@@ -9,8 +9,7 @@
 #include <functional>
 #include <optional>
 
-namespace tarn
-{
+namespace tarn {
 
 enum class ErrorKind { refraction, reflection, fresnel, path, caustics };
 

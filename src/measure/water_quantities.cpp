@@ -5,15 +5,12 @@
 
 #include <algorithm>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// Calls a function with each pixel of a debug view that shows water.
-template <typename Store>
-void readView(Renderer& renderer, const FrameInput& frame, DebugView view, const Store& store)
+template <typename Store> void readView(Renderer& renderer, const FrameInput& frame, DebugView view, const Store& store)
 {
     FrameInput input = frame;
     input.view = view;
@@ -27,7 +24,8 @@ void readView(Renderer& renderer, const FrameInput& frame, DebugView view, const
 
 TexelFootprint footprintOf(const Renderer& renderer, const Options& options)
 {
-    if (const HeightField* field = renderer.heightField()) return {vec3(0.0f), 0.0, static_cast<double>(field->texel())};
+    if (const HeightField* field = renderer.heightField())
+        return {vec3(0.0f), 0.0, static_cast<double>(field->texel())};
     const View& view = renderer.refractionView();
     // clipFromView[0][0] and [1][1] are 1 / tan of half the field of view, across and up: the lesser spans more.
     const float wider = std::min(view.clipFromView[0][0], view.clipFromView[1][1]);
@@ -44,12 +42,9 @@ double TexelFootprint::at(const vec3& point) const
 WaterQuantities::WaterQuantities(ivec2 pictureSize) : size(pictureSize)
 {
     const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    for (auto* flags : {&isWater, &hasSample, &mirrorsSky})
-        flags->assign(count, 0);
-    for (auto* vectors : {&surface, &place, &picture, &mirrored})
-        vectors->assign(count, vec3(0.0f));
-    for (auto* scalars : {&fresnel, &waterPath})
-        scalars->assign(count, 0.0f);
+    for (auto* flags : {&isWater, &hasSample, &mirrorsSky}) flags->assign(count, 0);
+    for (auto* vectors : {&surface, &place, &picture, &mirrored}) vectors->assign(count, vec3(0.0f));
+    for (auto* scalars : {&fresnel, &waterPath}) scalars->assign(count, 0.0f);
 }
 
 WaterQuantities readQuantities(Renderer& renderer, const Camera& camera, double time, ivec2 size)

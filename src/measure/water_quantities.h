@@ -10,12 +10,11 @@
 #include <optional>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 /// How much a texel of the refraction target covers across the line of sight.
 struct TexelFootprint {
-    vec3 eye{0.0f};       ///< of the refraction target's camera, world
+    vec3 eye{0.0f};            ///< of the refraction target's camera, world
     double edgePerMetre = 0.0; ///< of the longer edge of a texel in the target's middle
     double edge = 0.0;         ///< m, that of a map seen from far above, whatever the distance
 
@@ -23,25 +22,25 @@ struct TexelFootprint {
     double at(const vec3& point) const;
 };
 
-/// Rows run from top to bottom, like Image. Positions are in world space, m. All but the pictures are of the ray through
-/// the pixel's centre, and zero where the pixel shows no water.
+/// Rows run from top to bottom, like Image. Positions are in world space, m. All but the pictures are of the ray
+/// through the pixel's centre, and zero where the pixel shows no water.
 struct WaterQuantities {
     ivec2 size{0};
     vec3 eye{0.0f};
-    std::vector<std::uint8_t> isWater;       ///< 0 or 1
-    std::vector<vec3> surface;               ///< U
-    std::vector<vec3> place;                 ///< W: where the lookup takes the refracted ray's hit to be
-    std::vector<vec3> picture;               ///< A: the point whose colour it takes for W's
-    std::vector<std::uint8_t> hasSample;     ///< 1 where the target holds something at W's pixel
-    std::vector<vec3> mirrored;              ///< the point that the reflection shows, or the direction of its sky
-    std::vector<std::uint8_t> mirrorsSky;    ///< 1 where it is the direction
-    bool reflects = true; ///< water.reflects: else nothing is mirrored, and no error of it is known
+    std::vector<std::uint8_t> isWater;    ///< 0 or 1
+    std::vector<vec3> surface;            ///< U
+    std::vector<vec3> place;              ///< W: where the lookup takes the refracted ray's hit to be
+    std::vector<vec3> picture;            ///< A: the point whose colour it takes for W's
+    std::vector<std::uint8_t> hasSample;  ///< 1 where the target holds something at W's pixel
+    std::vector<vec3> mirrored;           ///< the point that the reflection shows, or the direction of its sky
+    std::vector<std::uint8_t> mirrorsSky; ///< 1 where it is the direction
+    bool reflects = true;                 ///< water.reflects: else nothing is mirrored, and no error of it is known
     std::vector<float> fresnel;
-    std::vector<float> waterPath;            ///< m: |A - U|, or from the eye to U when that is under water
+    std::vector<float> waterPath; ///< m: |A - U|, or from the eye to U when that is under water
     TexelFootprint footprint;
-    std::optional<CausticsMap> caustics;     ///< nothing when the frame had none
-    std::optional<HeightField> heights;      ///< what refracted rays were marched through; nothing by other methods
-    Image display, linear;                   ///< the final picture, as Renderer::readDisplay and readLinear give it
+    std::optional<CausticsMap> caustics; ///< nothing when the frame had none
+    std::optional<HeightField> heights;  ///< what refracted rays were marched through; nothing by other methods
+    Image display, linear;               ///< the final picture, as Renderer::readDisplay and readLinear give it
 
     WaterQuantities() = default;
     explicit WaterQuantities(ivec2 pictureSize);

@@ -61,8 +61,7 @@ void Yardstick::uploadMesh(const Scene& scene)
     const Mesh& mesh = scene.meshes.front();
     std::vector<PlainVertex> plain;
     plain.reserve(mesh.vertices.size());
-    for (const Vertex& vertex : mesh.vertices)
-        plain.push_back({vertex.position, vertex.uv});
+    for (const Vertex& vertex : mesh.vertices) plain.push_back({vertex.position, vertex.uv});
     vertices_.upload(std::span<const PlainVertex>(plain));
     indices_.upload(std::span<const std::uint32_t>(mesh.indices));
     mesh_.attributes(vertices_, sizeof(PlainVertex),
@@ -80,11 +79,9 @@ void Yardstick::uploadPicture(const Scene& scene)
         const auto first = image.bytes.begin() + static_cast<std::ptrdiff_t>(row) * y;
         upward.insert(upward.end(), first, first + static_cast<std::ptrdiff_t>(row));
     }
-    picture_ = gl::Texture({.format = gl::Format::rgba8,
-                            .size = {image.width, image.height},
-                            .mipmaps = true,
-                            .wrap = gl::Wrap::repeat},
-                           "yardstick picture");
+    picture_ = gl::Texture(
+        {.format = gl::Format::rgba8, .size = {image.width, image.height}, .mipmaps = true, .wrap = gl::Wrap::repeat},
+        "yardstick picture");
     picture_.upload(std::span<const std::uint8_t>(upward), image.channels);
     picture_.generateMipmaps();
 }

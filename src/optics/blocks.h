@@ -13,12 +13,11 @@
 
 #include "generated/blocks_float.h"
 
-namespace tarn::blocks
-{
+namespace tarn::blocks {
 
 template <typename Block>
-inline constexpr bool isStd140 =
-    sizeof(Block) % 16 == 0 && std::is_standard_layout_v<Block>&& std::is_trivially_copyable_v<Block>;
+inline constexpr bool
+    isStd140 = sizeof(Block) % 16 == 0 && std::is_standard_layout_v<Block>&& std::is_trivially_copyable_v<Block>;
 
 static_assert(sizeof(vec3) == 12 && alignof(vec4) <= 16 && sizeof(mat4) == 64);
 static_assert(isStd140<WaveTerm> && sizeof(WaveTerm) == 32);

@@ -1,5 +1,5 @@
-// Fresnel's formula as a table over the cosine of incidence (shaders/shared/fresnel_table.glsl): filled for the GPU, and
-// looked up here as the GPU does.
+// Fresnel's formula as a table over the cosine of incidence (shaders/shared/fresnel_table.glsl): filled for the GPU,
+// and looked up here as the GPU does.
 //
 //     const FresnelTable table = makeFresnelTable(1.33f, 1024, TableFilter::nearest);
 //     const float reflectance = table.at(cosine).y;

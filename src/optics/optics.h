@@ -14,8 +14,7 @@
 
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
 // The GLSL names that the shared files use. Declared name by name, so that a shared file that reaches for
 // another function fails to compile here rather than finding some `abs` for int.

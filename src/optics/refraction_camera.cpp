@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn::optics
-{
+namespace tarn::optics {
 
-namespace
-{
+namespace {
 
 using glm::dvec3;
 
@@ -23,8 +21,8 @@ dvec3 turned(const dvec3& v, const dvec3& axis, double angle)
 } // namespace
 
 // In double: O can lie far away, and the eye is moved by a difference of positions that do.
-RefractionCamera refractionCamera(const vec3& eye, const vec3& forward, const vec3& up, float verticalFov,
-                                  float level, float ior)
+RefractionCamera refractionCamera(const vec3& eye, const vec3& forward, const vec3& up, float verticalFov, float level,
+                                  float ior)
 {
     const dvec3 eyeW(eye);
     const dvec3 forwardW = glm::normalize(dvec3(forward));

@@ -9,8 +9,7 @@
 
 #include "base/math.h"
 
-namespace tarn::optics
-{
+namespace tarn::optics {
 
 struct RefractionCamera {
     vec3 eye;
@@ -31,8 +30,8 @@ struct RefractionCamera {
 /// @param up           need not be perpendicular to forward, but must not be parallel to it
 /// @param verticalFov  of the main camera, without extension
 /// @param ior          of the water, relative to air
-RefractionCamera refractionCamera(const vec3& eye, const vec3& forward, const vec3& up, float verticalFov,
-                                  float level, float ior);
+RefractionCamera refractionCamera(const vec3& eye, const vec3& forward, const vec3& up, float verticalFov, float level,
+                                  float ior);
 
 /// Factor on the tangents of a moved camera's field of view. The text gives two values, 1.5 "near the water"
 /// and 1.2 "farther from it"; here `near` holds up to 1 m and `far` from 10 m of the eye's height, smoothly

@@ -55,9 +55,12 @@ void addEdges(const Hexahedron& body, const Hexahedron& walls, dvec2& lower, dve
             double from = 0.0, to = 1.0;
             for (const dvec4& plane : walls.planes) {
                 const double distance = dot(dvec3(plane), a) + plane.w, rate = dot(dvec3(plane), way);
-                if (rate > 0.0) from = std::max(from, -distance / rate);
-                else if (rate < 0.0) to = std::min(to, -distance / rate);
-                else if (distance < 0.0) to = -1.0;
+                if (rate > 0.0)
+                    from = std::max(from, -distance / rate);
+                else if (rate < 0.0)
+                    to = std::min(to, -distance / rate);
+                else if (distance < 0.0)
+                    to = -1.0;
             }
             if (from > to) continue;
             for (const double t : {from, to}) {
@@ -130,8 +133,9 @@ namespace tarn {
 
 blocks::GridAxis narrowed(const optics64::GridAxis& axis)
 {
-    return {static_cast<float>(axis.lower), static_cast<float>(axis.upper), static_cast<float>(axis.centre),
-            static_cast<float>(axis.scale), static_cast<float>(axis.from),  static_cast<float>(axis.to),
+    return {static_cast<float>(axis.lower),    static_cast<float>(axis.upper),
+            static_cast<float>(axis.centre),   static_cast<float>(axis.scale),
+            static_cast<float>(axis.from),     static_cast<float>(axis.to),
             static_cast<float>(axis.vertices), 0.0f};
 }
 

@@ -4,14 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
-template <typename Term, typename T>
-Term makeTerm(T amplitude, T wavelength, T direction, T phase, T period, T gravity)
+template <typename Term, typename T> Term makeTerm(T amplitude, T wavelength, T direction, T phase, T period, T gravity)
 {
     assert(wavelength > T(0) && period >= T(0) && gravity > T(0));
     const T twoPi = T(2) * std::numbers::pi_v<T>;
@@ -27,8 +24,7 @@ Term makeTerm(T amplitude, T wavelength, T direction, T phase, T period, T gravi
 template <typename T, typename Term> T sumOfAmplitudes(std::span<const Term> waves)
 {
     T sum = T(0);
-    for (const Term& wave : waves)
-        sum += std::abs(wave.amplitude);
+    for (const Term& wave : waves) sum += std::abs(wave.amplitude);
     return sum;
 }
 
@@ -44,11 +40,9 @@ template <typename T, typename Term> T varianceOfSlope(std::span<const Term> wav
 
 } // namespace
 
-namespace optics
-{
+namespace optics {
 
-WaveTerm makeWaveTerm(float amplitude, float wavelength, float direction, float phase, float period,
-                      float gravity)
+WaveTerm makeWaveTerm(float amplitude, float wavelength, float direction, float phase, float period, float gravity)
 {
     return makeTerm<WaveTerm>(amplitude, wavelength, direction, phase, period, gravity);
 }
@@ -58,30 +52,17 @@ WaveSample waveAt(std::span<const WaveTerm> waves, vec2 x, float t)
     return waveSum(waves.data(), static_cast<int>(waves.size()), x, t, 0.0f);
 }
 
-float waveHeight(std::span<const WaveTerm> waves, vec2 x, float t)
-{
-    return waveAt(waves, x, t).height;
-}
+float waveHeight(std::span<const WaveTerm> waves, vec2 x, float t) { return waveAt(waves, x, t).height; }
 
-vec3 waveNormalAt(std::span<const WaveTerm> waves, vec2 x, float t)
-{
-    return waveNormal(waveAt(waves, x, t).slope);
-}
+vec3 waveNormalAt(std::span<const WaveTerm> waves, vec2 x, float t) { return waveNormal(waveAt(waves, x, t).slope); }
 
-float totalAmplitude(std::span<const WaveTerm> waves)
-{
-    return sumOfAmplitudes<float>(waves);
-}
+float totalAmplitude(std::span<const WaveTerm> waves) { return sumOfAmplitudes<float>(waves); }
 
-float slopeVariance(std::span<const WaveTerm> waves)
-{
-    return varianceOfSlope<float>(waves);
-}
+float slopeVariance(std::span<const WaveTerm> waves) { return varianceOfSlope<float>(waves); }
 
 } // namespace optics
 
-namespace optics64
-{
+namespace optics64 {
 
 WaveTerm makeWaveTerm(double amplitude, double wavelength, double direction, double phase, double period,
                       double gravity)
@@ -94,25 +75,13 @@ WaveSample waveAt(std::span<const WaveTerm> waves, dvec2 x, double t)
     return waveSum(waves.data(), static_cast<int>(waves.size()), x, t, 0.0);
 }
 
-double waveHeight(std::span<const WaveTerm> waves, dvec2 x, double t)
-{
-    return waveAt(waves, x, t).height;
-}
+double waveHeight(std::span<const WaveTerm> waves, dvec2 x, double t) { return waveAt(waves, x, t).height; }
 
-dvec3 waveNormalAt(std::span<const WaveTerm> waves, dvec2 x, double t)
-{
-    return waveNormal(waveAt(waves, x, t).slope);
-}
+dvec3 waveNormalAt(std::span<const WaveTerm> waves, dvec2 x, double t) { return waveNormal(waveAt(waves, x, t).slope); }
 
-double totalAmplitude(std::span<const WaveTerm> waves)
-{
-    return sumOfAmplitudes<double>(waves);
-}
+double totalAmplitude(std::span<const WaveTerm> waves) { return sumOfAmplitudes<double>(waves); }
 
-double slopeVariance(std::span<const WaveTerm> waves)
-{
-    return varianceOfSlope<double>(waves);
-}
+double slopeVariance(std::span<const WaveTerm> waves) { return varianceOfSlope<double>(waves); }
 
 optics::WaveTerm waveTermAt(const WaveTerm& wave, double t)
 {

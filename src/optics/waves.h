@@ -10,8 +10,7 @@
 
 #include <span>
 
-namespace tarn::optics
-{
+namespace tarn::optics {
 
 /// One component. Its wave travels along `direction` (in the xz plane, from +x towards +z).
 /// @param wavelength  m, positive
@@ -32,11 +31,10 @@ float slopeVariance(std::span<const WaveTerm> waves);
 
 } // namespace tarn::optics
 
-namespace tarn::optics64
-{
+namespace tarn::optics64 {
 
-WaveTerm makeWaveTerm(double amplitude, double wavelength, double direction, double phase,
-                      double period = 0.0, double gravity = 9.81);
+WaveTerm makeWaveTerm(double amplitude, double wavelength, double direction, double phase, double period = 0.0,
+                      double gravity = 9.81);
 WaveSample waveAt(std::span<const WaveTerm> waves, dvec2 x, double t);
 double waveHeight(std::span<const WaveTerm> waves, dvec2 x, double t);
 dvec3 waveNormalAt(std::span<const WaveTerm> waves, dvec2 x, double t);

@@ -42,9 +42,7 @@ public:
     void addCutOut(const vec3& a, const vec3& b, const vec3& c)
     {
         const float height = (a.y + b.y + c.y) / 3.0f;
-        forLines(a, b, c, [&](vec2, std::vector<Crossing>& line) {
-            line.push_back({height, Crossing::Kind::cutOut});
-        });
+        forLines(a, b, c, [&](vec2, std::vector<Crossing>& line) { line.push_back({height, Crossing::Kind::cutOut}); });
     }
 
     std::vector<std::vector<Crossing>>& lines() { return lines_; }
@@ -58,7 +56,8 @@ private:
         for (int j = std::max(first.y, 0); j <= std::min(last.y, edge_ - 1); ++j)
             for (int i = std::max(first.x, 0); i <= std::min(last.x, edge_ - 1); ++i)
                 visit(lower_ + (vec2(static_cast<float>(i), static_cast<float>(j)) + 0.5f) * cell_,
-                      lines_[static_cast<std::size_t>(j) * static_cast<std::size_t>(edge_) + static_cast<std::size_t>(i)]);
+                      lines_[static_cast<std::size_t>(j) * static_cast<std::size_t>(edge_) +
+                             static_cast<std::size_t>(i)]);
     }
 
     ivec2 cellOf(vec2 place) const { return ivec2(glm::floor((place - lower_) / cell_)); }
@@ -79,9 +78,12 @@ Lattice latticeOf(const Scene& scene, vec2 lower, vec2 upper, int edge)
         for (const MeshPart& part : mesh.parts) {
             const Material& material = scene.materials[static_cast<std::size_t>(part.material)];
             for (std::size_t i = part.firstIndex; i + 2 < part.firstIndex + part.indexCount; i += 3) {
-                const vec3 a = corner(mesh.indices[i]), b = corner(mesh.indices[i + 1]), c = corner(mesh.indices[i + 2]);
-                if (material.alphaTested) lattice.addCutOut(a, b, c);
-                else lattice.add(a, b, c, material.twoSided);
+                const vec3 a = corner(mesh.indices[i]), b = corner(mesh.indices[i + 1]),
+                           c = corner(mesh.indices[i + 2]);
+                if (material.alphaTested)
+                    lattice.addCutOut(a, b, c);
+                else
+                    lattice.add(a, b, c, material.twoSided);
             }
         }
     }

@@ -14,8 +14,8 @@ struct DepthComplexity {
 };
 
 /// A layer is a surface that faces water or air: what is sunk in the ground does not count, nor the two sides of one
-/// solid. A two-sided sheet is one, and so is a crown of cut-outs, at all places that its cards' boxes cover. Other triangles
-/// that stand upright cover no place.
+/// solid. A two-sided sheet is one, and so is a crown of cut-outs, at all places that its cards' boxes cover. Other
+/// triangles that stand upright cover no place.
 /// @param edge places along one edge of the lattice
 DepthComplexity depthComplexity(const Scene& scene, const WaterBody& water, int edge = 256);
 

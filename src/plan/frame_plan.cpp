@@ -15,9 +15,8 @@ namespace tarn {
 
 const char* passName(PassId pass)
 {
-    constexpr const char* names[passCount] = {"sunlight",   "caustics", "heights", "refraction",
-                                              "reflection", "scene",    "water",   "glow",
-                                              "present"};
+    constexpr const char* names[passCount] = {"sunlight", "caustics", "heights", "refraction", "reflection",
+                                              "scene",    "water",    "glow",    "present"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -77,16 +76,15 @@ WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, con
     const vec3 centre(worldFromView * vec4(middle, 0.0f, -camera.nearPlane, 1.0f));
     Bounds plane;
     for (const vec2 corner : {vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1)})
-        plane.add(
-            vec3(worldFromView * vec4(corner.x * aspect * up + middle, corner.y * up, -camera.nearPlane, 1.0f)));
+        plane.add(vec3(worldFromView * vec4(corner.x * aspect * up + middle, corner.y * up, -camera.nearPlane, 1.0f)));
 
     const vec2 half = 0.5f * water.extent;
     const vec2 lower = water.centre - half;
     const vec2 upper = water.centre + half;
     if (plane.upper.x < lower.x || plane.lower.x > upper.x || plane.upper.z < lower.y || plane.lower.z > upper.y)
         return WaterSide::above;
-    const bool inside = plane.lower.x >= lower.x && plane.upper.x <= upper.x && plane.lower.z >= lower.y &&
-                        plane.upper.z <= upper.y;
+    const bool inside =
+        plane.lower.x >= lower.x && plane.upper.x <= upper.x && plane.lower.z >= lower.y && plane.upper.z <= upper.y;
 
     // From the height under the middle no point of the plane is further than its half diagonal. A facet is as steep as
     // the waves along either of its legs, and so at most √2 times as steep in between. Waves that fade from vertex to
@@ -96,7 +94,8 @@ WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, con
         slope += std::abs(wave.amplitude) * 2.0f * std::numbers::pi_v<float> / wave.wavelength;
     constexpr float rounding = 1.0e-3f; // m: float positions far from the origin
     const float reach = up * std::sqrt(1.0f + aspect * aspect);
-    const float change = std::numbers::sqrt2_v<float> * slope * reach * static_cast<float>(optics64::fadeSteepening(grid));
+    const float change =
+        std::numbers::sqrt2_v<float> * slope * reach * static_cast<float>(optics64::fadeSteepening(grid));
     const float amplitude = totalAmplitude(water);
     const float height = drawnHeight(water, grid, vec2(centre.x, centre.z), time);
     if (plane.lower.y > std::min(height + change, water.level + amplitude) + rounding) return WaterSide::above;
@@ -151,8 +150,7 @@ std::string whyNoSun(const Scene& scene)
 }
 
 /// Why no light is gathered on the bed, or nothing when it is. `noWater`: why no surface is drawn.
-std::string whyNoCaustics(const Scene& scene, const FramePlan& plan, const std::string& noWater,
-                          const Options& options)
+std::string whyNoCaustics(const Scene& scene, const FramePlan& plan, const std::string& noWater, const Options& options)
 {
     if (!options.caustics.enabled) return "caustics.enabled is off";
     if (const std::string noSun = whyNoSun(scene); !noSun.empty()) return noSun;
@@ -165,10 +163,9 @@ std::string whyNoCaustics(const Scene& scene, const FramePlan& plan, const std::
 void planSunlight(FramePlan& plan, const Scene& scene, const std::string& noWater, const Options& options)
 {
     const std::string noCaustics = whyNoCaustics(scene, plan, noWater, options);
-    plan[PassId::caustics] =
-        noCaustics.empty()
-            ? wanted("the waves gather the sun's light on the bed", ivec2(options.caustics.textureSize), "sunlight")
-            : unwanted(noCaustics);
+    plan[PassId::caustics] = noCaustics.empty() ? wanted("the waves gather the sun's light on the bed",
+                                                         ivec2(options.caustics.textureSize), "sunlight")
+                                                : unwanted(noCaustics);
     std::string noSunlight = whyNoSun(scene);
     if (noSunlight.empty() && !options.sunlight.shadows && !noCaustics.empty())
         noSunlight = "sunlight.shadows is off, and no caustics need the bed's depth";
@@ -188,7 +185,8 @@ const char* presentReason(StereoOptions::Output output)
     case StereoOptions::Output::pair:
         return "tone mapping to the display; all passes for each eye, but sunlight and caustics once";
     case StereoOptions::Output::anaglyph:
-        return "tone mapping to the display, and both eyes in one; all passes for each eye, but sunlight and caustics once";
+        return "tone mapping to the display, and both eyes in one; all passes for each eye, but sunlight and caustics "
+               "once";
     }
     return "tone mapping to the display";
 }
@@ -202,7 +200,8 @@ std::string finishing(ivec2 size, const FrameOptions& options)
     if (drawn.x < size.x || drawn.y < size.y)
         text += fmt::format("; upscaled from {}x{}, {}", drawn.x, drawn.y,
                             options.upscaler == FrameOptions::Upscaler::edge ? "following edges" : "bilinear");
-    else if (drawn != size) text += fmt::format("; the mean of {}x{}", drawn.x, drawn.y);
+    else if (drawn != size)
+        text += fmt::format("; the mean of {}x{}", drawn.x, drawn.y);
     return text;
 }
 
@@ -216,9 +215,10 @@ void planHeights(FramePlan& plan, const Options& options, const SceneMaps& maps)
     const HeightMapPicture* const bed = plan.raycastsBed && maps.bed.picture ? &*maps.bed.picture : nullptr;
     const HeightMapPicture* const afloat = plan.raycastsMirror && maps.afloat.picture ? &*maps.afloat.picture : nullptr;
     const bool drawsBed = plan.raycastsBed && !bed, drawsAfloat = plan.raycastsMirror && !afloat;
-    std::string reason = plan.raycastsBed && plan.raycastsMirror ? "rays are marched through the bed and what stands over the water"
-                         : plan.raycastsBed                      ? "refracted rays are marched through the bed"
-                                                                 : "mirrored rays are marched through what stands over the water";
+    std::string reason = plan.raycastsBed && plan.raycastsMirror
+                             ? "rays are marched through the bed and what stands over the water"
+                         : plan.raycastsBed ? "refracted rays are marched through the bed"
+                                            : "mirrored rays are marched through what stands over the water";
     int edge = drawsBed || drawsAfloat ? options.heights.mapSize : 0;
     for (const HeightMapPicture* given : {bed, afloat})
         if (given) {
@@ -226,8 +226,8 @@ void planHeights(FramePlan& plan, const Options& options, const SceneMaps& maps)
             edge = std::max(edge, given->edge);
         }
     if (drawsBed || drawsAfloat) reason += "; drawn when scene, sun or water changed";
-    plan[PassId::heights] = wanted(std::move(reason), ivec2(edge),
-                                   drawsAfloat && plan[PassId::sunlight].wanted ? "sunlight" : "");
+    plan[PassId::heights] =
+        wanted(std::move(reason), ivec2(edge), drawsAfloat && plan[PassId::sunlight].wanted ? "sunlight" : "");
 }
 
 /// Which maps of heights are marched through, and with them the target of either kind: seen from above a map takes its
@@ -250,9 +250,8 @@ void planWaterLookups(FramePlan& plan, const Options& options, const SceneMaps& 
     if (!refraction.enabled)
         plan[PassId::refraction] = unwanted("refraction.enabled is off: the water shows its own colour");
     else if (!plan.targetsBed)
-        plan[PassId::refraction] =
-            fromBelow ? wanted("from below, what stands over the water", refractionSize, "")
-                      : unwanted("the bed is found in its map of heights");
+        plan[PassId::refraction] = fromBelow ? wanted("from below, what stands over the water", refractionSize, "")
+                                             : unwanted("the bed is found in its map of heights");
     else
         plan[PassId::refraction] =
             wanted(chosen("the bed under the surface", "both the bed and, from below, what stands over the water",
@@ -263,9 +262,8 @@ void planWaterLookups(FramePlan& plan, const Options& options, const SceneMaps& 
     else if (!reflection.enabled)
         plan[PassId::reflection] = unwanted("reflection.enabled is off: the water mirrors the sky alone");
     else if (!plan.targetsMirror)
-        plan[PassId::reflection] =
-            fromBelow ? wanted("from below, the bed mirrored in the surface", reflectionSize, "")
-                      : unwanted("what is mirrored is found in its map of heights");
+        plan[PassId::reflection] = fromBelow ? wanted("from below, the bed mirrored in the surface", reflectionSize, "")
+                                             : unwanted("what is mirrored is found in its map of heights");
     else
         plan[PassId::reflection] =
             wanted(chosen("what the surface mirrors", "what the surface mirrors, from above and from below",
@@ -293,9 +291,8 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
 {
     FramePlan plan;
     plan[PassId::scene] = wanted("what the eye sees, without the water", scaledSize(size, options.frame), "");
-    plan[PassId::present] =
-        wanted(presentReason(options.stereo.output) + finishing(size, options.frame),
-               presentedSize(size, options.stereo.output), "scene, water");
+    plan[PassId::present] = wanted(presentReason(options.stereo.output) + finishing(size, options.frame),
+                                   presentedSize(size, options.stereo.output), "scene, water");
 
     plan.underwater = water.present && options.water.enabled && options.underwater.enabled &&
                       overWaterRect(water, camera.eye) &&
@@ -316,26 +313,26 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     const std::string noWater = whyNoWater(water, options);
     planSunlight(plan, scene, noWater, options);
     if (!noWater.empty()) {
-        for (const PassId pass :
-             {PassId::heights, PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
+        for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
             plan[pass] = unwanted(noWater);
         reducePlan(plan, scene, water, camera, options, size, sight);
         return plan;
     }
 
-    plan[PassId::water] = wanted(bySide("the surface is in the view",
-                                        "the surface cuts the near plane: drawn from both sides",
-                                        "the surface seen from below"),
-                                 scaledSize(size, options.frame), "scene");
+    plan[PassId::water] =
+        wanted(bySide("the surface is in the view", "the surface cuts the near plane: drawn from both sides",
+                      "the surface seen from below"),
+               scaledSize(size, options.frame), "scene");
     const HeightMapPicture* const givenBed = scene.maps.bed.picture ? &*scene.maps.bed.picture : nullptr;
     planWaterLookups(plan, options, scene.maps, chooseRefraction(options, water, camera, size, complexity, givenBed),
                      chooseReflection(options, complexity));
     const std::string noGlow = whyNoGlow(scene, plan, options);
-    plan[PassId::glow] = noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options), "water")
-                                        : unwanted(noGlow);
+    plan[PassId::glow] =
+        noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options), "water") : unwanted(noGlow);
     reducePlan(plan, scene, water, camera, options, size, sight);
     for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection})
-        if (plan[PassId::water].wanted && plan[pass].wanted) plan[PassId::water].dependsOn += std::string(", ") + passName(pass);
+        if (plan[PassId::water].wanted && plan[pass].wanted)
+            plan[PassId::water].dependsOn += std::string(", ") + passName(pass);
     if (plan[PassId::glow].wanted) plan[PassId::present].dependsOn = "scene, water, glow";
     return plan;
 }

@@ -22,9 +22,9 @@ const char* passName(PassId pass);
 
 struct PassPlan {
     bool wanted = false;
-    std::string reason;       ///< why, or why not, in words
-    ivec2 size{0};            ///< of its target, pixels
-    std::string dependsOn;    ///< the passes whose targets it reads
+    std::string reason;    ///< why, or why not, in words
+    ivec2 size{0};         ///< of its target, pixels
+    std::string dependsOn; ///< the passes whose targets it reads
 };
 
 /// Which side of the moving surface a frame shows.
@@ -36,7 +36,7 @@ enum class WaterSide {
 
 struct FramePlan {
     std::array<PassPlan, passCount> passes;
-    bool underwater = false; ///< the eye is below the water's surface (and underwater.enabled is on)
+    bool underwater = false;           ///< the eye is below the water's surface (and underwater.enabled is on)
     WaterSide side = WaterSide::above; ///< of the near plane, where pictures begin
     optics64::WaterGrid waterGrid{};   ///< that draws the surface
     bool raycastsBed = false, raycastsMirror = false; ///< from above, through which of the maps of heights
@@ -70,7 +70,8 @@ float drawnHeight(const WaterBody& water, const optics64::WaterGrid& grid, vec2 
 
 /// Where the near plane is, to the safe side: plainly above or below only when the drawn surface cannot cut it.
 /// @param aspect width / height of the picture   @param time seconds
-WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, const Camera& camera, float aspect, double time);
+WaterSide waterSide(const WaterBody& water, const optics64::WaterGrid& grid, const Camera& camera, float aspect,
+                    double time);
 
 /// Of what is drawn for a picture with frame.scale, pixels; at least 1x1.
 ivec2 scaledSize(ivec2 picture, const FrameOptions& options);
@@ -79,7 +80,6 @@ ivec2 scaledSize(ivec2 picture, const FrameOptions& options);
 /// @param complexity what the methods auto go by; null where none is
 /// @param sight what the rules go by; null: nothing is known of what the cameras see
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-                    ivec2 size, double time, const DepthComplexity* complexity = nullptr,
-                    const Sight* sight = nullptr);
+                    ivec2 size, double time, const DepthComplexity* complexity = nullptr, const Sight* sight = nullptr);
 
 } // namespace tarn

@@ -11,11 +11,11 @@ namespace {
 constexpr std::size_t framesRemembered = 9;
 constexpr std::size_t framesToJudge = 5; // a median of fewer says little
 constexpr std::size_t framesToLearn = 3;
-constexpr double mostFactor = 8.0;     // between a true and a stated cost
-constexpr double sameLoad = 1.25;      // what was learnt under another load counts half
-constexpr double worthMoving = 0.9;    // of the present time, for a rung that does not keep the target either
-constexpr double slowAlone = 200.0;    // ms: such a frame counts alone when it is far off, for a second one costs too much
-constexpr double farOff = 4.0;         // times the target
+constexpr double mostFactor = 8.0;  // between a true and a stated cost
+constexpr double sameLoad = 1.25;   // what was learnt under another load counts half
+constexpr double worthMoving = 0.9; // of the present time, for a rung that does not keep the target either
+constexpr double slowAlone = 200.0; // ms: such a frame counts alone when it is far off, for a second one costs too much
+constexpr double farOff = 4.0;      // times the target
 constexpr int mostQuadruplings = 6;
 
 double median(std::vector<double> values)
@@ -107,10 +107,7 @@ bool Governor::isLighter(std::size_t rung) const
     return load() < std::pow(tuning_.lighter, std::min(known.failures, most)) * known.loadAtFailure;
 }
 
-bool Governor::isBarred(std::size_t rung) const
-{
-    return now_ < known_[rung].barredUntil && !isLighter(rung);
-}
+bool Governor::isBarred(std::size_t rung) const { return now_ < known_[rung].barredUntil && !isLighter(rung); }
 
 /// The most accurate rung above this one that is predicted to keep the target with its reserve, else this one.
 std::size_t Governor::bestAbove(const IsReady& isReady) const
@@ -171,8 +168,8 @@ void Governor::noteFailure()
     ++known.failures;
 }
 
-/// What was learnt at a failure may be a hitch's fault. Once the bar's time has passed half of it is forgotten, so that the
-/// rung may be tried again.
+/// What was learnt at a failure may be a hitch's fault. Once the bar's time has passed half of it is forgotten, so that
+/// the rung may be tried again.
 void Governor::forgive()
 {
     for (std::size_t i = 0; i < rung_; ++i) {
@@ -189,8 +186,10 @@ void Governor::moveTo(std::size_t rung)
     Known& known = known_[rung];
     if (known.failures > 0 && isLighter(rung)) known.failures = 0;
     // Two long frames may have been hitches: they are no measure for a rung that was measured before.
-    if (isJudged_ || !known.isKnown) step_ = Step{rung_, settled_};
-    else step_.reset();
+    if (isJudged_ || !known.isKnown)
+        step_ = Step{rung_, settled_};
+    else
+        step_.reset();
     // Until it is timed, the best that is known of the new rung.
     settled_ = *predicted(rung);
     rung_ = rung;

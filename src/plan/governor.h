@@ -5,13 +5,13 @@
 //     …draw a frame with it…
 //     rung = governor.drawn({milliseconds, now}, isReady);
 //
-// Costs are ratios, so that what a frame takes on one rung predicts what it takes on all others, on any machine and in any
-// scene: a change goes straight to the right rung. Where a rung turns out to cost something else than the ladder says, that
-// is learnt from the step itself, so that the same mistake is not made twice.
+// Costs are ratios, so that what a frame takes on one rung predicts what it takes on all others, on any machine and in
+// any scene: a change goes straight to the right rung. Where a rung turns out to cost something else than the ladder
+// says, that is learnt from the step itself, so that the same mistake is not made twice.
 //
 // It does not oscillate: it goes down only when frames are too long by more than a tolerance, up only when the more
-// accurate rung is predicted to leave a reserve, and a rung that was tried and was too slow is left alone until the load has
-// fallen, or a time has passed that is four times as long after every failure.
+// accurate rung is predicted to leave a reserve, and a rung that was tried and was too slow is left alone until the
+// load has fallen, or a time has passed that is four times as long after every failure.
 #pragma once
 
 #include <cstddef>
@@ -103,12 +103,12 @@ private:
     double target_;
     std::size_t rung_, wanted_;
     std::vector<Known> known_;
-    std::vector<double> recent_; ///< ms of the last frames on this rung
-    double settled_ = 0.0;       ///< ms: their median, or the last that there was; 0: none yet
-    bool isJudged_ = false;      ///< that comes of enough frames to learn from
-    int skipped_;                ///< frames still to be left out of account
+    std::vector<double> recent_;     ///< ms of the last frames on this rung
+    double settled_ = 0.0;           ///< ms: their median, or the last that there was; 0: none yet
+    bool isJudged_ = false;          ///< that comes of enough frames to learn from
+    int skipped_;                    ///< frames still to be left out of account
     double now_ = 0.0, since_ = 0.0; ///< s: of the last frame, and of the first on this rung
-    std::optional<Step> step_;   ///< until it is learnt from
+    std::optional<Step> step_;       ///< until it is learnt from
 };
 
 } // namespace tarn

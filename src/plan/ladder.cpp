@@ -14,9 +14,10 @@ namespace tarn {
 namespace {
 
 /// Whole numbers that no program is made for; numbers with fractions never are.
-constexpr std::array sizes{"caustics.interval",      "caustics.photons",     "caustics.texture_size", "glow.divisor",
-                           "heights.map_size",       "reflection.interval",  "reflection.target_size", "refraction.interval",
-                           "refraction.target_size", "sunlight.map_size",    "water.grid_size"};
+constexpr std::array sizes{"caustics.interval",      "caustics.photons",    "caustics.texture_size",
+                           "glow.divisor",           "heights.map_size",    "reflection.interval",
+                           "reflection.target_size", "refraction.interval", "refraction.target_size",
+                           "sunlight.map_size",      "water.grid_size"};
 
 /// Every option as a number: names of a choice count from 0 in their order. Vectors have none.
 class Ranks : public FieldVisitor {
@@ -77,7 +78,8 @@ std::string faultOfRung(const Ladder& ladder, std::size_t i)
     }
     if (i == 0) return rung.settings.empty() ? "" : "the first rung is the base and sets nothing";
     const Rung& above = ladder.rungs[i - 1];
-    if (!(rung.cost < above.cost)) return fmt::format("its cost {} is not below {}, the one before's", rung.cost, above.cost);
+    if (!(rung.cost < above.cost))
+        return fmt::format("its cost {} is not below {}, the one before's", rung.cost, above.cost);
     if (rung.flip < above.flip) return fmt::format("its flip {} is below {}, the one before's", rung.flip, above.flip);
     if (rung.wrongHits < above.wrongHits)
         return fmt::format("its wrong_hits {} are below {}, the one before's", rung.wrongHits, above.wrongHits);
@@ -108,7 +110,8 @@ std::string faultOf(const Ladder& ladder)
 {
     if (ladder.rungs.empty()) return "it has no rungs";
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i)
-        if (const std::string fault = faultOfRung(ladder, i); !fault.empty()) return fmt::format("rung {}: {}", i + 1, fault);
+        if (const std::string fault = faultOfRung(ladder, i); !fault.empty())
+            return fmt::format("rung {}: {}", i + 1, fault);
     return "";
 }
 
@@ -130,8 +133,10 @@ std::vector<OwnRung> rungsBelow(const Options& chosen, const Ladder& ladder)
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
         const Options options = below(chosen, ladder, ladder.rungs[i]);
         // What two rungs agree on is drawn the same, and the lower one's cost is the nearer to the truth.
-        if (options == own.back().options) own.back() = {options, i, ladder.rungs[i].cost};
-        else own.push_back({options, i, ladder.rungs[i].cost});
+        if (options == own.back().options)
+            own.back() = {options, i, ladder.rungs[i].cost};
+        else
+            own.push_back({options, i, ladder.rungs[i].cost});
     }
     return own;
 }

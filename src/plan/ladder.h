@@ -37,9 +37,9 @@ struct Ladder {
 /// "" for a ladder that can be climbed, else what is wrong with it: "rung 3: …". Rungs are counted from 1.
 std::string faultOf(const Ladder& ladder);
 
-/// The chosen options, cheaper by what a rung changes of the ladder's base. An option stays as it is where it is beyond the
-/// rung's value already (counting from the base; names of a choice count in their order), so that what a person has made
-/// cheaper, or switched off, stays so.
+/// The chosen options, cheaper by what a rung changes of the ladder's base. An option stays as it is where it is beyond
+/// the rung's value already (counting from the base; names of a choice count in their order), so that what a person has
+/// made cheaper, or switched off, stays so.
 Options below(const Options& chosen, const Ladder& ladder, const Rung& rung);
 
 /// A ladder over the options that a person has chosen.

@@ -13,7 +13,8 @@ namespace {
 // A map that misses more of its places than this leaves more wrong than the search in a target does
 // (docs/methods/height-maps.md).
 constexpr double mostHidden = 0.02;
-// Heights between texels are straight, so that one of some pixels still shows what is there; colours blur from about here.
+// Heights between texels are straight, so that one of some pixels still shows what is there; colours blur from about
+// here.
 constexpr float mostPixels = 4.0f;
 
 /// Metres that a pixel spans where the lowest ray of the picture meets the level.
@@ -21,8 +22,8 @@ float pixelAtNearestWater(const WaterBody& water, const Camera& camera, ivec2 si
 {
     const vec3 forward = glm::normalize(camera.target - camera.eye);
     const float halfFov = 0.5f * camera.verticalFov;
-    const float steepest = std::min(std::asin(std::clamp(-forward.y, -1.0f, 1.0f)) + halfFov,
-                                    0.5f * std::numbers::pi_v<float>);
+    const float steepest =
+        std::min(std::asin(std::clamp(-forward.y, -1.0f, 1.0f)) + halfFov, 0.5f * std::numbers::pi_v<float>);
     const float height = std::abs(camera.eye.y - water.level);
     const float distance = height / std::max(std::sin(steepest), 1.0e-3f);
     return distance * 2.0f * std::tan(halfFov) / static_cast<float>(size.y);
@@ -56,8 +57,8 @@ LookupChoice chooseRefraction(const Options& options, const WaterBody& water, co
     if (complexity->bed > mostHidden) return both(fmt::format("auto: {}, where the target is asked", hidden));
     const float texel = texelOf(options.heights, water, given);
     const float pixel = pixelAtNearestWater(water, camera, size);
-    const std::string texels = fmt::format("a texel of the map is {:.1f} cm, and a pixel of the nearest water {:.1f} cm",
-                                           100.0f * texel, 100.0f * pixel);
+    const std::string texels = fmt::format(
+        "a texel of the map is {:.1f} cm, and a pixel of the nearest water {:.1f} cm", 100.0f * texel, 100.0f * pixel);
     if (texel > mostPixels * pixel) return both(fmt::format("auto: {}, so that the target shows what is near", texels));
     return map(fmt::format("auto: {}; {}", hidden, texels));
 }

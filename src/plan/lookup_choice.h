@@ -14,8 +14,8 @@ struct LookupChoice {
     std::string why;    ///< of auto, in words; empty where the method was named
 };
 
-/// auto marches rays through the bed's heights, and asks the target too where the map cannot hold the bed or shows it more
-/// coarsely than the picture does where the water is nearest.
+/// auto marches rays through the bed's heights, and asks the target too where the map cannot hold the bed or shows it
+/// more coarsely than the picture does where the water is nearest.
 /// @param size of the picture, pixels   @param complexity null: not known, and no map is relied on
 /// @param given the bed's map where it is not drawn; else null
 LookupChoice chooseRefraction(const Options& options, const WaterBody& water, const Camera& camera, ivec2 size,

@@ -51,8 +51,7 @@ public:
               ivec2 size, const Sight* sight)
         : plan_(plan), scene_(scene), water_(water), camera_(camera), options_(options),
           aspect_(static_cast<float>(size.x) / static_cast<float>(size.y)), sight_(sight)
-    {
-    }
+    {}
 
     void run()
     {
@@ -72,7 +71,8 @@ public:
         decide(RuleId::nothingForCaustics, whyReceives(), "no camera sees anything under water");
         if (applies(RuleId::nothingForCaustics)) dropCaustics("nothing that is seen lies under water");
         decideGlow();
-        decide(RuleId::cullHidden, "there is no earlier frame to tell what is hidden", ""); // until the renderer knows better
+        decide(RuleId::cullHidden, "there is no earlier frame to tell what is hidden",
+               ""); // until the renderer knows better
         decideBounds();
         for (const RuleId id : {RuleId::keepMaps, RuleId::keepTargets, RuleId::keepFrame})
             decide(id, "there is no earlier frame to keep anything of", "");
@@ -85,11 +85,13 @@ private:
     void decide(RuleId id, const std::string& whyNot, const std::string& why)
     {
         RuleState& state = plan_.rule(id);
-        if (!options_.plan.enabled) state = {false, "plan.enabled is off"};
+        if (!options_.plan.enabled)
+            state = {false, "plan.enabled is off"};
         else if (!options_.plan.allows(id)) {
             const bool isOff = !options_.plan.rules[static_cast<std::size_t>(id)];
             state = {false, isOff ? fmt::format("plan.{} is off", tarn::rule(id).name) : "plan.exact refuses it"};
-        } else state = {whyNot.empty(), whyNot.empty() ? why : whyNot};
+        } else
+            state = {whyNot.empty(), whyNot.empty() ? why : whyNot};
     }
 
     void drop(std::initializer_list<PassId> passes, const std::string& reason)
@@ -108,7 +110,8 @@ private:
         if (!caustics.wanted) return;
         caustics = {false, reason, ivec2(0), ""};
         if (!options_.sunlight.shadows)
-            plan_[PassId::sunlight] = {false, "sunlight.shadows is off, and no caustics need the bed's depth", ivec2(0), ""};
+            plan_[PassId::sunlight] = {false, "sunlight.shadows is off, and no caustics need the bed's depth", ivec2(0),
+                                       ""};
     }
 
     bool isFromAbove() const { return plan_.side == WaterSide::above; }
@@ -125,7 +128,8 @@ private:
         if (!plan_[PassId::water].wanted) return "no water is drawn";
         if (!isFromAbove()) return "the eye is not above the water";
         if (options_.stereo.isOn()) return "there are two eyes";
-        if (camera_.eye.y <= waterBounds(water_).upper.y + camera_.nearPlane) return "the eye may be within the slab that the surface moves in";
+        if (camera_.eye.y <= waterBounds(water_).upper.y + camera_.nearPlane)
+            return "the eye may be within the slab that the surface moves in";
         if (!sight_ || !sight_->waterWasHidden) return "the water was not hidden in the last frame";
         return "";
     }
@@ -161,23 +165,30 @@ private:
                             ? vec3(optics::linearAttenuation(depth, options_.water.attenuationLength))
                             : down;
         const vec3 change = up * glm::max(bed, sight_->deepRadiance) * optics::radianceThroughSurface(1.0f, water_.ior);
-        return displayChange(options_.frame.toneCurve, options_.frame.exposure * std::max({change.x, change.y, change.z}));
+        return displayChange(options_.frame.toneCurve,
+                             options_.frame.exposure * std::max({change.x, change.y, change.z}));
     }
 
     void decideDepth()
     {
         std::string whyNot = whySeesBed();
         if (plan_[PassId::refraction].wanted && isFromAbove() && sight_) {
-            if (!sight_->seesBed) whyNot = "its camera sees nothing";
-            else if (sight_->leastDepth <= 0.0f) whyNot = "its camera may see what is not under water";
-            else if (!scene_.pointLights.empty() || !scene_.spotLights.empty()) whyNot = "lamps may light the bed without bound";
+            if (!sight_->seesBed)
+                whyNot = "its camera sees nothing";
+            else if (sight_->leastDepth <= 0.0f)
+                whyNot = "its camera may see what is not under water";
+            else if (!scene_.pointLights.empty() || !scene_.spotLights.empty())
+                whyNot = "lamps may light the bed without bound";
             else if (const float visible = bedVisibility(); visible > invisible)
-                whyNot = fmt::format("the nearest bed, {:.2f} m deep, may be worth {:.3g}/255", sight_->leastDepth, 255.0f * visible);
-            else whyNot.clear();
+                whyNot = fmt::format("the nearest bed, {:.2f} m deep, may be worth {:.3g}/255", sight_->leastDepth,
+                                     255.0f * visible);
+            else
+                whyNot.clear();
         }
         decide(RuleId::bedTooDeep, whyNot, "no light of the bed is left that could be seen");
         if (applies(RuleId::bedTooDeep))
-            drop({PassId::refraction}, fmt::format("the bed, {:.2f} m deep and more, is not to be seen", sight_->leastDepth));
+            drop({PassId::refraction},
+                 fmt::format("the bed, {:.2f} m deep and more, is not to be seen", sight_->leastDepth));
     }
 
     std::string whyReceives() const
@@ -186,8 +197,10 @@ private:
         if (!sight_) return "what is in view is not known";
         if (plan_.raycastsBed) return "rays find the bed in its map";
         if (sight_->mainReceives) return "the eye may see something under water";
-        if (plan_[PassId::refraction].wanted && sight_->refractionReceives) return "the refraction's camera may see something under water";
-        if (plan_[PassId::reflection].wanted && sight_->reflectionReceives) return "the mirrored camera may see something under water";
+        if (plan_[PassId::refraction].wanted && sight_->refractionReceives)
+            return "the refraction's camera may see something under water";
+        if (plan_[PassId::reflection].wanted && sight_->reflectionReceives)
+            return "the mirrored camera may see something under water";
         return plan_.raycastsMirror ? "the map of what stands over the water may hold it" : "";
     }
 
@@ -202,8 +215,8 @@ private:
         const ViewTangents tangents(clipFromView(camera_, aspect_));
         const vec2 corner = tangents.half + glm::abs(tangents.middle);
         const vec3 forward = glm::normalize(camera_.target - camera_.eye);
-        const float between = std::acos(std::clamp(glm::dot(forward, lobe), -1.0f, 1.0f)) - std::atan(glm::length(corner)) -
-                              2.0f * std::atan(slope);
+        const float between = std::acos(std::clamp(glm::dot(forward, lobe), -1.0f, 1.0f)) -
+                              std::atan(glm::length(corner)) - 2.0f * std::atan(slope);
         if (between <= 0.0f) return 1.0f;
         return std::pow(std::max(std::cos(std::min(between, pi)), 1.0e-6f), options_.glow.exponent);
     }
@@ -211,24 +224,31 @@ private:
     void decideGlow()
     {
         std::string whyNot;
-        if (!plan_[PassId::glow].wanted) whyNot = "there is no glow";
-        else if (water_.normalMap.isSeen()) whyNot = "the slopes of the water's normal map have no bound";
+        if (!plan_[PassId::glow].wanted)
+            whyNot = "there is no glow";
+        else if (water_.normalMap.isSeen())
+            whyNot = "the slopes of the water's normal map have no bound";
         else {
             const vec3 colour = options_.glow.strength * options_.glow.colour;
             const float most = largestHighlight() * std::max({colour.x, colour.y, colour.z});
-            if (displayChange(options_.frame.toneCurve, most) > invisible) whyNot = "waves may mirror the sun's lobe into the view";
+            if (displayChange(options_.frame.toneCurve, most) > invisible)
+                whyNot = "waves may mirror the sun's lobe into the view";
         }
         decide(RuleId::glowOutOfView, whyNot, "no wave is steep enough to mirror the sun's lobe into the view");
-        if (applies(RuleId::glowOutOfView)) drop({PassId::glow}, "no wave is steep enough to mirror the sun's lobe into the view");
+        if (applies(RuleId::glowOutOfView))
+            drop({PassId::glow}, "no wave is steep enough to mirror the sun's lobe into the view");
     }
 
     void decideBounds()
     {
         TargetBounds bounds;
         std::string whyNot;
-        if (!plan_[PassId::reflection].wanted) whyNot = "there is no reflection target";
-        else if (!isFromAbove()) whyNot = "the surface is seen from below";
-        else if (bounds = mirrorBounds(water_, camera_, options_, plan_[PassId::water].size); bounds.share() > nearlyAll)
+        if (!plan_[PassId::reflection].wanted)
+            whyNot = "there is no reflection target";
+        else if (!isFromAbove())
+            whyNot = "the surface is seen from below";
+        else if (bounds = mirrorBounds(water_, camera_, options_, plan_[PassId::water].size);
+                 bounds.share() > nearlyAll)
             whyNot = "the water may look up all of the reflection target";
         decide(RuleId::targetBounds, whyNot,
                fmt::format("the water looks up {:.0f} % of the reflection target at most", 100.0f * bounds.share()));

@@ -18,10 +18,7 @@ float radicalInverse(int i, int base)
 } // namespace
 
 /// Halton's points of bases 2 and 3, moved round the pixel so that the first is its middle.
-float footprintOf(int sample)
-{
-    return sample > 1 ? 1.0f / std::sqrt(static_cast<float>(Refinement::samples)) : 1.0f;
-}
+float footprintOf(int sample) { return sample > 1 ? 1.0f / std::sqrt(static_cast<float>(Refinement::samples)) : 1.0f; }
 
 vec2 jitterOf(int sample)
 {
@@ -34,7 +31,8 @@ vec2 jitterOf(int sample)
 namespace {
 
 /// The most accurate rung down to `shown` that is ready and whose frames are predicted to take no longer.
-std::size_t rungWithin(double milliseconds, std::size_t shown, const Governor& governor, const Governor::IsReady& isReady)
+std::size_t rungWithin(double milliseconds, std::size_t shown, const Governor& governor,
+                       const Governor::IsReady& isReady)
 {
     for (std::size_t i = 0; i < shown; ++i) {
         if (isReady && !isReady(i)) continue;

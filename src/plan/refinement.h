@@ -1,12 +1,13 @@
-// What is shown while nobody moves: the picture is refined in steps, and the first touch brings back the fluid one. Pure.
+// What is shown while nobody moves: the picture is refined in steps, and the first touch brings back the fluid one.
+// Pure.
 //
 //     Refinement refinement;
 //     const Refinement::Step step = refinement.next({now, disturbed, still}, governor, isReady);
 //
-// While the waves move, only the governor's own choice is drawn. In a still picture, time is no object, yet a person may
-// come back at any moment and must not have to wait for long: a frame may take at most as long as nothing has been touched.
-// Up on the settings' own rung, frames that are jittered within a pixel are averaged until they are as smooth as
-// supersampling; then nothing is left to be drawn.
+// While the waves move, only the governor's own choice is drawn. In a still picture, time is no object, yet a person
+// may come back at any moment and must not have to wait for long: a frame may take at most as long as nothing has been
+// touched. Up on the settings' own rung, frames that are jittered within a pixel are averaged until they are as smooth
+// as supersampling; then nothing is left to be drawn.
 #pragma once
 
 #include "base/math.h"
@@ -47,12 +48,12 @@ private:
     int sample_ = 0;
 };
 
-/// Where within a pixel the n-th of the averaged samples lies, from its middle, in pixels; n from 1. The first is the middle
-/// itself, so that the average begins with the picture that is there.
+/// Where within a pixel the n-th of the averaged samples lies, from its middle, in pixels; n from 1. The first is the
+/// middle itself, so that the average begins with the picture that is there.
 vec2 jitterOf(int sample);
 
-/// How much of a pixel's edge the n-th sample stands for: waves and ripples that fade because a pixel cannot show them are
-/// shown by sixteen. The first stands for all of it, for the same reason.
+/// How much of a pixel's edge the n-th sample stands for: waves and ripples that fade because a pixel cannot show them
+/// are shown by sixteen. The first stands for all of it, for the same reason.
 float footprintOf(int sample);
 
 } // namespace tarn

@@ -7,9 +7,9 @@
 namespace tarn {
 
 struct Sight {
-    bool mirrors = true;      ///< the mirrored camera may see something beside the sky
-    bool seesBed = true;      ///< the refraction's camera may see something
-    float leastDepth = 0.0f;  ///< m under the level of all that it may see; negative: over it
+    bool mirrors = true;       ///< the mirrored camera may see something beside the sky
+    bool seesBed = true;       ///< the refraction's camera may see something
+    float leastDepth = 0.0f;   ///< m under the level of all that it may see; negative: over it
     vec3 bedReflectance{0.0f}; ///< of that: the largest BRDF, 1/sr, for light from anywhere
     vec3 bedEmission{0.0f};    ///< and the largest radiance of its own
     /// Something under water may be seen by the main, the refraction's or the mirrored camera.

@@ -33,7 +33,8 @@ Polygon clipped(const Polygon& polygon, const vec3& inward)
 std::array<vec3, 4> sidesOf(const ViewTangents& tangents)
 {
     const vec2 lower = tangents.middle - tangents.half, upper = tangents.middle + tangents.half;
-    return {vec3(1.0f, 0.0f, lower.x), vec3(-1.0f, 0.0f, -upper.x), vec3(0.0f, 1.0f, lower.y), vec3(0.0f, -1.0f, -upper.y)};
+    return {vec3(1.0f, 0.0f, lower.x), vec3(-1.0f, 0.0f, -upper.x), vec3(0.0f, 1.0f, lower.y),
+            vec3(0.0f, -1.0f, -upper.y)};
 }
 
 bool filtersWaves(const WaterOptions& options)
@@ -49,8 +50,8 @@ float steepness(const WaterBody& water)
     return slope;
 }
 
-/// What a triangle of the water's grid rises by a metre at most. Along either edge that lies on the axes it rises by no more
-/// than the waves do and, where the cells grow, by 0.6 of that for what gridFade takes from one end only.
+/// What a triangle of the water's grid rises by a metre at most. Along either edge that lies on the axes it rises by no
+/// more than the waves do and, where the cells grow, by 0.6 of that for what gridFade takes from one end only.
 float steepestTriangle(const WaterBody& water) { return 1.6f * std::sqrt(2.0f) * steepness(water); }
 
 /// Tangents from one pixel to the next.
@@ -67,17 +68,18 @@ float outermostFacet(ReflectionOptions::Facets facets)
     return 2.8569700f;
 }
 
-/// |h/H| of the point U, at most (mirrorBounds). A step of water_surface.glsl's moveToWaves goes up or down by at most twice
-/// the gap to the waves, so that it triples at most; all together go no further than a quarter of the way.
+/// |h/H| of the point U, at most (mirrorBounds). A step of water_surface.glsl's moveToWaves goes up or down by at most
+/// twice the gap to the waves, so that it triples at most; all together go no further than a quarter of the way.
 float largestRise(float amplitude, float height, int steps)
 {
     const float bySteps = amplitude * (2.0f * std::pow(3.0f, static_cast<float>(steps)) - 1.0f) / height;
     return std::min(bySteps, 0.25f + 1.25f * amplitude / height);
 }
 
-/// Where a triangle covers samples of a pixel but not its middle, the surface's point lies on its plane beside it. How much
-/// higher or lower than the triangle, m: the triangle of the eye, the one point and the other has the angle of half a pixel
-/// at the eye, and at the other that between ray and plane. Negative: no bound, for a triangle may be seen edge-on.
+/// Where a triangle covers samples of a pixel but not its middle, the surface's point lies on its plane beside it. How
+/// much higher or lower than the triangle, m: the triangle of the eye, the one point and the other has the angle of
+/// half a pixel at the eye, and at the other that between ray and plane. Negative: no bound, for a triangle may be seen
+/// edge-on.
 /// @param up in view space   @param tilt of a triangle, at most, radians
 float riseBeside(const std::vector<vec3>& corners, const vec3& up, float tilt, float halfPixel)
 {
@@ -156,9 +158,9 @@ std::vector<vec3> visibleCorners(const WaterBody& water, const Camera& camera, f
     return corners;
 }
 
-// A pixel's neighbours lie on the rays at the tangents t and t + e. What the one is away from the other's ray is at least
-// its depth times |e| / sqrt(1 + t²), and of that the triangle leaves 1 / sqrt(1 + slope²) to x and z. Half, because the
-// neighbour may be nearer than the pixel itself.
+// A pixel's neighbours lie on the rays at the tangents t and t + e. What the one is away from the other's ray is at
+// least its depth times |e| / sqrt(1 + t²), and of that the triangle leaves 1 / sqrt(1 + slope²) to x and z. Half,
+// because the neighbour may be nearer than the pixel itself.
 float leastFootprint(const WaterBody& water, const Camera& camera, const std::vector<vec3>& corners, ivec2 size)
 {
     float depth = std::numeric_limits<float>::max();
@@ -186,7 +188,7 @@ float largestSlope(const WaterBody& water, const Options& options, float footpri
 
 TargetBounds mirrorBounds(const WaterBody& water, const Camera& camera, const Options& options, ivec2 size)
 {
-    if (water.normalMap.isSeen()) return {}; // whose slopes have no bound
+    if (water.normalMap.isSeen()) return {};        // whose slopes have no bound
     if (options.reflection.interval > 1) return {}; // later frames look the target up from elsewhere
     // Nor have those between a triangle's corners where it is gone on with beside them.
     if (options.water.normals == WaterOptions::Normals::vertex && options.frame.samples() > 1) return {};

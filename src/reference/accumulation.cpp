@@ -43,13 +43,15 @@ Accumulation load(const std::filesystem::path& file, ivec2 size, const std::stri
     const auto found = stored.metadata.find("tarn:identity");
     const auto samples = stored.metadata.find("tarn:samples");
     if (found == stored.metadata.end() || samples == stored.metadata.end() || found->second != identity ||
-        stored.image.channels != static_cast<int>(channels.size()) || stored.image.width != size.x || stored.image.height != size.y)
+        stored.image.channels != static_cast<int>(channels.size()) || stored.image.width != size.x ||
+        stored.image.height != size.y)
         throw Error("{}: unfinished work of another picture; finish that one, or delete the file", file.string());
     std::from_chars(samples->second.data(), samples->second.data() + samples->second.size(), sums.samples);
     std::vector<std::size_t> places; // EXR files have an order of their own
     for (const std::string& channel : channels) {
         const auto at = std::find(stored.channelNames.begin(), stored.channelNames.end(), channel);
-        if (at == stored.channelNames.end()) throw Error("{}: has no channel {}; delete the file", file.string(), channel);
+        if (at == stored.channelNames.end())
+            throw Error("{}: has no channel {}; delete the file", file.string(), channel);
         places.push_back(static_cast<std::size_t>(at - stored.channelNames.begin()));
     }
     for (std::size_t i = 0; i < sums.radiance.size(); ++i) {

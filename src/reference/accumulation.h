@@ -12,9 +12,9 @@ namespace tarn::reference {
 /// Single precision on purpose: what is stored is what was summed, so that going on from a file changes no bit.
 struct Accumulation {
     ivec2 size{0};
-    int samples = 0;             ///< that every pixel has
-    std::vector<vec3> radiance;  ///< sums
-    std::vector<float> squares;  ///< of luminance
+    int samples = 0;            ///< that every pixel has
+    std::vector<vec3> radiance; ///< sums
+    std::vector<float> squares; ///< of luminance
     std::vector<float> truncated;
 
     explicit Accumulation(ivec2 pictureSize);

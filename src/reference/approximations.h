@@ -41,13 +41,13 @@ struct ShadowTexels {
 /// place of textures, so that only the named thing is approximate. All concern what the eye sees of the
 /// surface from above, at its ray's first meeting with it.
 struct Approximations {
-    float schlickExponent = 0.0f; ///< > 0: Fresnel by Schlick
+    float schlickExponent = 0.0f;   ///< > 0: Fresnel by Schlick
     float attenuationLength = 0.0f; ///< > 0: the bed fades linearly over so many metres from the surface
     std::optional<optics::FresnelTable> fresnelTable; ///< Fresnel from a table
 
     std::optional<TargetCamera> refraction; ///< the bed is what this camera sees where W is
-    int refractionSteps = 0;       ///< looks that the search for W takes (Mihálik 2008, 7.1); 0: the true W
-    bool planarRefraction = false; ///< the first approximation stands for the search
+    int refractionSteps = 0;                ///< looks that the search for W takes (Mihálik 2008, 7.1); 0: the true W
+    bool planarRefraction = false;          ///< the first approximation stands for the search
 
     std::optional<TargetCamera> reflection; ///< what is mirrored is what this camera sees
     int reflectionSteps = 0;                ///< looks of the search; 0: at `reflectionDistance` instead

@@ -46,8 +46,7 @@ float coverage(const Scene& scene, const Material& material, vec2 uv)
     float alpha = material.alpha;
     if (material.diffuseMap != noImage)
         alpha *= sampleTexture(imageOf(scene, material.diffuseMap), uv, Encoding::srgb).w;
-    if (material.alphaMap != noImage)
-        alpha *= sampleTexture(imageOf(scene, material.alphaMap), uv, Encoding::linear).x;
+    if (material.alphaMap != noImage) alpha *= sampleTexture(imageOf(scene, material.alphaMap), uv, Encoding::linear).x;
     return alpha;
 }
 
@@ -159,8 +158,8 @@ std::optional<Hit> Geometry::intersect(const Ray& ray, double tMin, double tMax,
 
 bool Geometry::occluded(const Ray& ray, double tMin, double tMax) const
 {
-    return reference::occluded(state_->world.get(), makeRay(ray.origin, ray.direction, tMin, tMax,
-                                                            static_cast<unsigned>(Sides::both)));
+    return reference::occluded(state_->world.get(),
+                               makeRay(ray.origin, ray.direction, tMin, tMax, static_cast<unsigned>(Sides::both)));
 }
 
 namespace {
@@ -219,7 +218,8 @@ SurfacePoint Geometry::surfaceAt(const Ray& ray, const Hit& hit) const
     // Foliage keeps the normal of the crown that it stands for; anything else turns towards the eye.
     if (material.twoSided && !material.alphaTested && !isFront) point.normal = -point.normal;
 
-    const vec4 tint = mixed(unpackColour(k.a->colour), unpackColour(k.b->colour), unpackColour(k.c->colour), hit.u, hit.v);
+    const vec4 tint =
+        mixed(unpackColour(k.a->colour), unpackColour(k.b->colour), unpackColour(k.c->colour), hit.u, hit.v);
     point.albedo = material.diffuse * vec3(tint);
     if (material.diffuseMap != noImage)
         point.albedo *= vec3(sampleTexture(imageOf(s.scene, material.diffuseMap), uv, Encoding::srgb));

@@ -63,8 +63,8 @@ vec3 Integrator::along(const Ray& ray, Medium medium, Walk walk) const
     const auto meeting = nearest(ray, medium);
     if (!meeting) return isWet ? deep : skyAlong(ray.direction, walk);
     walk.length += meeting->distance;
-    const vec3 radiance = meeting->hit ? shade(ray, *meeting->hit, medium, walk)
-                                       : atSurface(ray, meeting->distance, medium, walk);
+    const vec3 radiance =
+        meeting->hit ? shade(ray, *meeting->hit, medium, walk) : atSurface(ray, meeting->distance, medium, walk);
     if (!isWet) return radiance;
     return optics::radianceThroughWater(radiance, deep, letThrough(meeting->distance, walk.fadesLinearly));
 }
@@ -265,8 +265,7 @@ vec3 Integrator::sunInAir(const SurfacePoint& point, const vec3& toEye, Walk& wa
 {
     const Light& light = world_.light;
     if (!light.hasSun()) return vec3(0.0f);
-    const vec3 lit =
-        litBy(*point.material, point.albedo, point.normal, toEye, light.sunDirection, light.sunIrradiance);
+    const vec3 lit = litBy(*point.material, point.albedo, point.normal, toEye, light.sunDirection, light.sunIrradiance);
     if (lit == vec3(0.0f)) return lit;
     const dvec3 sun = glm::normalize(dvec3(light.sunDirection));
     const dvec2 chance = walk.random.next2();

@@ -18,7 +18,7 @@ struct World {
     const Geometry& geometry;
     const WaterSurface* water; ///< null: none
     const Light& light;
-    const SunMap& sunMap;      ///< empty where the light under water is that of a flat surface
+    const SunMap& sunMap;       ///< empty where the light under water is that of a flat surface
     float sunRoughness = 0.02f; ///< slope deviation of the waves that the scene does not model
     ReferenceOptions options;
     Approximations approximations;
@@ -44,13 +44,13 @@ private:
         Random& random;
         double& truncated;
         double pixelAngle;
-        double length = 0.0; ///< m behind the eye, for the size of a pixel
-        double weight = 1.0; ///< upper bound of what the ray can add to the pixel
-        int events = 0;      ///< meetings with the surface
-        int bounces = 0;     ///< diffuse reflections
-        bool showsSun = true; ///< the sun's disc is seen where the ray ends in the sky
+        double length = 0.0;        ///< m behind the eye, for the size of a pixel
+        double weight = 1.0;        ///< upper bound of what the ray can add to the pixel
+        int events = 0;             ///< meetings with the surface
+        int bounces = 0;            ///< diffuse reflections
+        bool showsSun = true;       ///< the sun's disc is seen where the ray ends in the sky
         bool fadesLinearly = false; ///< on its way from the surface to the bed: an approximation
-        bool isIndirect = false; ///< light that a surface gathers: sky and sun are counted elsewhere
+        bool isIndirect = false;    ///< light that a surface gathers: sky and sun are counted elsewhere
     };
     struct Meeting {
         double distance;

@@ -60,9 +60,9 @@ vec3 litByLamps(const Light& light, const Material& material, const vec3& albedo
         const vec3 toLamp = lamp.position - position;
         const float distance2 = std::max(glm::dot(toLamp, toLamp), 1.0e-6f);
         const vec3 direction = toLamp / std::sqrt(distance2);
-        const float cone = lamp.cosOuter < -1.5f ? 1.0f
-                                                 : glm::smoothstep(lamp.cosOuter, lamp.cosInner,
-                                                                   glm::dot(-direction, lamp.direction));
+        const float cone = lamp.cosOuter < -1.5f
+                               ? 1.0f
+                               : glm::smoothstep(lamp.cosOuter, lamp.cosInner, glm::dot(-direction, lamp.direction));
         radiance += litBy(material, albedo, normal, toEye, direction, lamp.intensity * (cone / distance2));
     }
     return radiance;

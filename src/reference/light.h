@@ -15,12 +15,12 @@ struct Light {
     float ior;
     float level;
     vec3 absorption;
-    vec3 sunDirection;      ///< towards the middle of the sun
-    vec3 sunIrradiance;     ///< facing it, above the water
-    vec3 sunDirectionBelow; ///< towards it from under flat water
-    vec3 sunBelow;          ///< irradiance just under flat water, facing the refracted sun
-    vec3 skyBelow;          ///< irradiance of the sky on an upward surface just under flat water
-    vec3 deepRadiance;      ///< radiance inside infinitely deep water
+    vec3 sunDirection;                 ///< towards the middle of the sun
+    vec3 sunIrradiance;                ///< facing it, above the water
+    vec3 sunDirectionBelow;            ///< towards it from under flat water
+    vec3 sunBelow;                     ///< irradiance just under flat water, facing the refracted sun
+    vec3 skyBelow;                     ///< irradiance of the sky on an upward surface just under flat water
+    vec3 deepRadiance;                 ///< radiance inside infinitely deep water
     std::array<vec4, 9> skyIrradiance; ///< spherical harmonics
     std::vector<blocks::LightTerm> lamps;
 

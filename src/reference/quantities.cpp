@@ -43,7 +43,10 @@ void Integrator::lightQueries(const Ray& ray, double pixelAngle, std::vector<Lig
         open.push_back({{point, mirrored}, step.medium, length, step.events + 1});
         const dvec3 bent = optics64::refractRay(step.ray.direction, n, isWet ? ior : 1.0 / ior);
         if (bent == dvec3(0.0)) continue;
-        open.push_back({{point, world_.water->keptOn(bent, point, isWet)}, isWet ? Medium::air : Medium::water, length, step.events + 1});
+        open.push_back({{point, world_.water->keptOn(bent, point, isWet)},
+                        isWet ? Medium::air : Medium::water,
+                        length,
+                        step.events + 1});
     }
 }
 

@@ -52,7 +52,8 @@ template <typename Visit> void overPixels(ivec2 size, const Visit& visit)
     tbb::parallel_for(tbb::blocked_range<int>(0, size.y), [&](const auto& rows) {
         for (int y = rows.begin(); y < rows.end(); ++y)
             for (int x = 0; x < size.x; ++x)
-                visit(x, y, static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
+                visit(x, y,
+                      static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
     });
 }
 
@@ -73,8 +74,7 @@ struct Tracer::State {
 
     State(const Scene& s, const WaterBody& w, float roughness)
         : scene(s), body(w), sunRoughness(roughness), geometry(s), light(s, w)
-    {
-    }
+    {}
 
     SunMap::Inputs mapInputs(const WaterSurface& water, int photons, int seed) const
     {
@@ -118,8 +118,7 @@ struct Tracer::State {
 
 Tracer::Tracer(const Scene& scene, const WaterBody& water, float sunRoughness)
     : state_(std::make_unique<State>(scene, water, sunRoughness))
-{
-}
+{}
 
 Tracer::~Tracer() = default;
 
@@ -194,8 +193,9 @@ std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOpti
         "{},{} {},{}; grid {}{}; flat {}; sun {}; roughness {}",
         scene.file.string(), triple(c.eye), triple(c.target), triple(c.up), c.verticalFov, view.time, view.size.x,
         view.size.y, options.depth, options.bounces, options.photons, options.seed, body.level, body.ior, body.extent.x,
-        body.extent.y, body.centre.x, body.centre.y, view.gridSize, view.gridSize > 0 && view.gridFocused ? " focused" : "",
-        view.flatLight, triple(light.sunDirection), sunRoughness);
+        body.extent.y, body.centre.x, body.centre.y, view.gridSize,
+        view.gridSize > 0 && view.gridFocused ? " focused" : "", view.flatLight, triple(light.sunDirection),
+        sunRoughness);
     for (const Wave& w : body.waves)
         text += fmt::format("; {} {} {} {} {}", w.amplitude, w.wavelength, w.direction, w.phase, w.period);
     if (const WaterNormalMap& map = body.normalMap; normalMap()) {
@@ -342,14 +342,13 @@ Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options,
                      .lostPhotons = map.lostShare(),
                      .photons = map.photonCount(),
                      .radianceNoise = noiseOf(sums)};
-    picture.metadata = {
-        {"tarn:samples", fmt::format("{}", sums.samples)},
-        {"tarn:reference", identity},
-        {"tarn:radiance", "linear RGB; times 1/n^2 where it leaves the water and n^2 where it enters"},
-        {"tarn:truncated_share", fmt::format("{:.3g}", done.truncatedShare)},
-        {"tarn:radiance_noise", fmt::format("{:.3g}", done.radianceNoise)},
-        {"tarn:photons", fmt::format("{}", done.photons)},
-        {"tarn:caustics_noise", fmt::format("{:.3g}", done.causticsNoise)}};
+    picture.metadata = {{"tarn:samples", fmt::format("{}", sums.samples)},
+                        {"tarn:reference", identity},
+                        {"tarn:radiance", "linear RGB; times 1/n^2 where it leaves the water and n^2 where it enters"},
+                        {"tarn:truncated_share", fmt::format("{:.3g}", done.truncatedShare)},
+                        {"tarn:radiance_noise", fmt::format("{:.3g}", done.radianceNoise)},
+                        {"tarn:photons", fmt::format("{}", done.photons)},
+                        {"tarn:caustics_noise", fmt::format("{:.3g}", done.causticsNoise)}};
     if (report) *report = done;
     return picture;
 }

@@ -24,18 +24,18 @@ namespace tarn::reference {
 
 struct ViewRequest {
     Camera camera;
-    double time = 0.0;     ///< s
-    ivec2 size{640, 480};  ///< pixels
+    double time = 0.0;    ///< s
+    ivec2 size{640, 480}; ///< pixels
     /// > 0: the surface that the eye sees is what the viewer's grid draws of it, and its normals are those of a grid's
     /// vertices, interpolated. The sun's light goes through the waves themselves, as in the viewer.
     int gridSize = 0, normalGridSize = 0;
     bool gridFocused = false; ///< whether these grids are focused on the view (water.grid)
-    bool flatLight = false; ///< the sun's light under water as a flat surface lets it through
+    bool flatLight = false;   ///< the sun's light under water as a flat surface lets it through
     /// The sun's light under water as a texture over a part of the level holds it; beside it that of a flat surface.
     struct CausticsTexture {
-        vec4 rect{0.0f};   ///< centre x, z and half extent, m
+        vec4 rect{0.0f};    ///< centre x, z and half extent, m
         double texel = 0.1; ///< m
-        int filter = 0;    ///< radius, texels
+        int filter = 0;     ///< radius, texels
     };
     std::optional<CausticsTexture> causticsTexture{};
     Approximations approximations{};
@@ -48,13 +48,13 @@ struct TraceReport {
     double causticsNoise = 0.0;  ///< standard error of the sun's light under water, of its mean
     double lostPhotons = 0.0;    ///< share that met no bed
     std::size_t photons = 0;
-    double radianceNoise = 0.0;  ///< standard error of the pixels' mean luminance, RMS, of the mean luminance
+    double radianceNoise = 0.0; ///< standard error of the pixels' mean luminance, RMS, of the mean luminance
 };
 
 /// Where unfinished work is kept, so that it can go on: samples are added in the same order either way, so that an
 /// interrupted picture ends bit for bit as an uninterrupted one.
 struct Checkpoint {
-    std::filesystem::path file;                ///< empty: none
+    std::filesystem::path file; ///< empty: none
     double everySeconds = 60.0;
     const std::atomic<bool>* interrupt = nullptr; ///< when it becomes true: save and throw Interrupted
 };

@@ -34,10 +34,7 @@ int levelOf(double footprint)
     return std::clamp(static_cast<int>(std::floor(steps + 0.5)), 0, mapLevels - 1);
 }
 
-dvec2 planeOf(const dvec3& p, double level, const dvec2& slant)
-{
-    return dvec2(p.x, p.z) - slant * (p.y - level);
-}
+dvec2 planeOf(const dvec3& p, double level, const dvec2& slant) { return dvec2(p.x, p.z) - slant * (p.y - level); }
 
 } // namespace
 
@@ -87,8 +84,9 @@ SunMap::SunMap(const Inputs& inputs, const std::vector<LightQuery>& queries, Pro
         const auto photons = static_cast<std::size_t>(inputs.photons * shares[i] / sum);
         Map& map = maps_[i];
         const double area = edges[i].x * edges[i].y;
-        map.texel = std::max({map.texel, std::sqrt(area * photonsPerTexel / static_cast<double>(std::max<std::size_t>(photons, 1))),
-                              std::sqrt(area / mostTexels)});
+        map.texel = std::max(
+            {map.texel, std::sqrt(area * photonsPerTexel / static_cast<double>(std::max<std::size_t>(photons, 1))),
+             std::sqrt(area / mostTexels)});
         map.size = ivec2(glm::ceil(edges[i] / map.texel)) + 1;
         trace(inputs, map, photons, [&](double part) {
             if (progress) progress->report((done + part * shares[i]) / sum, "tracing photons");
@@ -122,8 +120,7 @@ struct PhotonTracer {
 
     explicit PhotonTracer(const SunMap::Inputs& in)
         : inputs(in), sun(glm::normalize(dvec3(in.light.sunDirection))), across(sun)
-    {
-    }
+    {}
 
     enum class End { shaded, landed, lost };
     struct Result {
@@ -162,7 +159,8 @@ void SunMap::trace(const Inputs& inputs, Map& map, std::size_t photons, const st
 {
     // Waves throw light sideways: photons start in a wider rectangle than where they are counted. tan of the angle by
     // which a slope of 0.4 turns the refracted ray, times a depth beyond which the pattern has washed out.
-    const double reach = std::min(0.12 * std::max(level_ - static_cast<double>(inputs.geometry.bounds().lower.y), 0.0), 2.0);
+    const double reach =
+        std::min(0.12 * std::max(level_ - static_cast<double>(inputs.geometry.bounds().lower.y), 0.0), 2.0);
     const dvec2 lower = map.lower - reach;
     const dvec2 edge = dvec2(map.size) * map.texel + 2.0 * reach;
     const double cellArea = edge.x * edge.y / static_cast<double>(std::max<std::size_t>(photons, 1));
@@ -193,8 +191,9 @@ void SunMap::trace(const Inputs& inputs, Map& map, std::size_t photons, const st
                 if (photon.end != PhotonTracer::End::landed) continue;
                 const dvec2 at = (planeOf(photon.position, level_, slant_) - map.lower) / map.texel;
                 if (at.x < 0.0 || at.y < 0.0 || at.x >= map.size.x || at.y >= map.size.y) continue;
-                const auto texel = static_cast<std::uint64_t>(static_cast<int>(at.y)) * static_cast<std::uint64_t>(map.size.x) +
-                                   static_cast<std::uint64_t>(static_cast<int>(at.x));
+                const auto texel =
+                    static_cast<std::uint64_t>(static_cast<int>(at.y)) * static_cast<std::uint64_t>(map.size.x) +
+                    static_cast<std::uint64_t>(static_cast<int>(at.x));
                 // 2048 layers of 15 cm about the level; the number keeps the order of addition fixed.
                 const auto layer = static_cast<std::uint64_t>(
                     std::clamp(std::floor((photon.position.y - level_) / layerHeight), -1500.0, 500.0) + 1500.0);
@@ -210,7 +209,8 @@ void SunMap::trace(const Inputs& inputs, Map& map, std::size_t photons, const st
     photons_ += photons;
     entered_ += entered;
     lost_ += lost;
-    tbb::parallel_sort(landings.begin(), landings.end(), [](const Landing& a, const Landing& b) { return a.key < b.key; });
+    tbb::parallel_sort(landings.begin(), landings.end(),
+                       [](const Landing& a, const Landing& b) { return a.key < b.key; });
     fold(map, landings, inputs.light, cellArea);
 }
 
@@ -226,7 +226,8 @@ void SunMap::fold(Map& map, std::vector<Landing>& landings, const Light& light, 
             const auto layer = static_cast<std::int32_t>(landings[i].key >> 29 & 0x7ffu) - 1500;
             if (map.entries.size() == map.begin[texel] || map.entries.back().layer != layer)
                 map.entries.push_back({layer, vec3(0.0f), vec3(0.0f)});
-            const vec3 flux = 2.0f * share * landings[i].light * optics::beerLambert(light.absorption, landings[i].path);
+            const vec3 flux =
+                2.0f * share * landings[i].light * optics::beerLambert(light.absorption, landings[i].path);
             ((landings[i].key & 1u) ? map.entries.back().first : map.entries.back().second) += flux;
             ++i;
         }
@@ -238,8 +239,8 @@ void SunMap::fold(Map& map, std::vector<Landing>& landings, const Light& light, 
 vec3 SunMap::sumAt(const Map& map, ivec2 texel, int layer, int half)
 {
     if (texel.x < 0 || texel.y < 0 || texel.x >= map.size.x || texel.y >= map.size.y) return vec3(0.0f);
-    const std::size_t index = static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(map.size.x) +
-                              static_cast<std::size_t>(texel.x);
+    const std::size_t index =
+        static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(map.size.x) + static_cast<std::size_t>(texel.x);
     vec3 sum(0.0f);
     for (std::uint32_t e = map.begin[index]; e < map.begin[index + 1]; ++e) {
         const Entry& entry = map.entries[e];

@@ -7,8 +7,8 @@
 namespace tarn::reference {
 
 TargetPicture::TargetPicture(const TargetCamera& camera, const Geometry& geometry, double level, double ior)
-    : camera_(camera), geometry_(geometry), worldFromView_(glm::inverse(camera.viewFromWorld)),
-      eye_(worldFromView_[3]), level_(level), ior_(ior)
+    : camera_(camera), geometry_(geometry), worldFromView_(glm::inverse(camera.viewFromWorld)), eye_(worldFromView_[3]),
+      level_(level), ior_(ior)
 {}
 
 /// The nearest that the camera draws of a part of a ray.
@@ -32,14 +32,12 @@ TargetPicture::Seen TargetPicture::alongLine(const dvec3& direction) const
 {
     const double depthRate = -(dmat3(camera_.viewFromWorld) * direction).z;
     const double farthest = camera_.farPlane / std::max(depthRate, 1e-6);
-    const double inAir =
-        camera_.throughFlatWater && direction.y < 0.0 ? (level_ - eye_.y) / direction.y : farthest;
+    const double inAir = camera_.throughFlatWater && direction.y < 0.0 ? (level_ - eye_.y) / direction.y : farthest;
     Seen seen = seenFrom({eye_, direction}, 0.0, std::min(inAir, farthest));
     if (seen.hit) return seen;
     seen.point = eye_ + farthest * direction;
     if (inAir >= farthest) return seen;
-    const Ray bent{eye_ + inAir * direction,
-                   optics64::refractRay(direction, dvec3(0.0, 1.0, 0.0), 1.0 / ior_)};
+    const Ray bent{eye_ + inAir * direction, optics64::refractRay(direction, dvec3(0.0, 1.0, 0.0), 1.0 / ior_)};
     seen = seenFrom(bent, 0.0, farthest - inAir);
     if (!seen.hit) seen.point = bent.origin + (farthest - inAir) * bent.direction;
     return seen;
@@ -47,8 +45,7 @@ TargetPicture::Seen TargetPicture::alongLine(const dvec3& direction) const
 
 TargetPicture::Seen TargetPicture::seenAt(const dvec3& place) const
 {
-    const dvec3 p =
-        inView(camera_.throughFlatWater ? optics64::flatApparent(eye_, place, level_, ior_) : place);
+    const dvec3 p = inView(camera_.throughFlatWater ? optics64::flatApparent(eye_, place, level_, ior_) : place);
     const dvec2 tangent = glm::clamp(dvec2(p) / std::max(-p.z, 1e-6), -camera_.tangents, camera_.tangents);
     return alongLine(glm::normalize(dmat3(worldFromView_) * dvec3(tangent, -1.0)));
 }
@@ -80,8 +77,7 @@ dvec3 TargetPicture::search(const dvec3& U, const dvec3& direction, int steps, b
                 hit = optics64::planarIntersection(u, r, a);
             } else {
                 auto state = optics64::intersectionBegin(u, r, a);
-                for (int i = 1; i < steps; ++i)
-                    state = optics64::intersectionStepSeen(state, seen(state.W));
+                for (int i = 1; i < steps; ++i) state = optics64::intersectionStepSeen(state, seen(state.W));
                 state = optics64::intersectionEnd(state);
                 hit = state.best;
                 a = state.bestA;
@@ -100,8 +96,7 @@ dvec3 TargetPicture::search(const dvec3& U, const dvec3& direction, int steps, b
         state.best = optics64::planarIntersection(u, r, first);
         state.bestA = first;
     } else {
-        for (int i = 1; i < steps; ++i)
-            state = optics64::intersectionStep(state, depthAt(state.W));
+        for (int i = 1; i < steps; ++i) state = optics64::intersectionStep(state, depthAt(state.W));
     }
     A = inWorld(state.bestA);
     return inWorld(state.best);
@@ -121,8 +116,7 @@ dvec3 TargetPicture::searchMirrored(const dvec3& U, const dvec3& direction, int 
         return shown;
     };
     auto state = optics64::intersectionBegin(u, r, look(u));
-    for (int i = 1; i < steps; ++i)
-        state = optics64::intersectionStepSeen(state, look(state.W));
+    for (int i = 1; i < steps; ++i) state = optics64::intersectionStepSeen(state, look(state.W));
     return inWorld(optics64::mirrorChosen(choice));
 }
 

@@ -25,9 +25,10 @@ int wrapped(int index, int size)
 
 vec4 texel(const Image& image, int x, int y, Encoding encoding)
 {
-    const std::size_t first = (static_cast<std::size_t>(wrapped(y, image.height)) * static_cast<std::size_t>(image.width) +
-                               static_cast<std::size_t>(wrapped(x, image.width))) *
-                              static_cast<std::size_t>(image.channels);
+    const std::size_t first =
+        (static_cast<std::size_t>(wrapped(y, image.height)) * static_cast<std::size_t>(image.width) +
+         static_cast<std::size_t>(wrapped(x, image.width))) *
+        static_cast<std::size_t>(image.channels);
     const auto value = [&](int c) {
         const std::size_t i = first + static_cast<std::size_t>(c);
         if (image.isFloat()) return image.floats[i];

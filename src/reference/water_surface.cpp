@@ -22,7 +22,8 @@ float fastSin(float x)
     const float a = std::abs(r);
     const float m = std::min(a, pi - a);
     const float m2 = m * m;
-    const float s = m * (1.0f + m2 * (-1.6666667e-1f + m2 * (8.3333310e-3f + m2 * (-1.9840874e-4f + m2 * 2.7525562e-6f))));
+    const float s =
+        m * (1.0f + m2 * (-1.6666667e-1f + m2 * (8.3333310e-3f + m2 * (-1.9840874e-4f + m2 * 2.7525562e-6f))));
     return std::copysign(s, r);
 }
 
@@ -42,8 +43,8 @@ struct WavesAlongRay {
         for (std::size_t i = 0; i < waves.size(); ++i) {
             const optics64::WaveTerm& w = waves[i];
             amplitude[i] = static_cast<float>(w.amplitude);
-            phase[i] = static_cast<float>(
-                std::remainder(w.k.x * start.x + w.k.y * start.z - w.omega * time + w.phase, twoPi));
+            phase[i] =
+                static_cast<float>(std::remainder(w.k.x * start.x + w.k.y * start.z - w.omega * time + w.phase, twoPi));
             frequency[i] = static_cast<float>(w.k.x * direction.x + w.k.y * direction.z);
             steepest += std::abs(amplitude[i] * frequency[i]);
         }

@@ -60,8 +60,8 @@ private:
     dvec2 lower_{0.0}, upper_{0.0};
     Grid grid_, normalGrid_;
     const Image* normalMap_ = nullptr;
-    double tile_ = 1.0, bump_ = 1.0; ///< of the normal map, m and factor
-    std::array<dvec2, 4> offsets_{}; ///< of its layers
+    double tile_ = 1.0, bump_ = 1.0;           ///< of the normal map, m and factor
+    std::array<dvec2, 4> offsets_{};           ///< of its layers
     std::array<std::vector<double>, 2> lines_; ///< where the grid's lines stand along x and z, m
 };
 

@@ -125,14 +125,16 @@ Image encoded(const Level& level, const CutOut& cutOut, double alphaScale, const
         for (std::size_t i = level.first(0, y); i < level.first(0, y + 1); ++i) {
             const bool isAlpha = static_cast<int>(i % static_cast<std::size_t>(level.channels)) == cutOut.channel;
             const double value = static_cast<double>(level.values[i]);
-            image.bytes[i] = toByte(isAlpha ? alphaScale * value : cutOut.isSrgb ? optics64::srgbFromLinear(value) : value);
+            image.bytes[i] = toByte(isAlpha         ? alphaScale * value
+                                    : cutOut.isSrgb ? optics64::srgbFromLinear(value)
+                                                    : value);
         }
     });
     return image;
 }
 
-/// The factor on a level's alpha that brings its coverage next to what is wanted: the alpha of the texel that is the last
-/// to be there is put on the cutoff.
+/// The factor on a level's alpha that brings its coverage next to what is wanted: the alpha of the texel that is the
+/// last to be there is put on the cutoff.
 double scaleFor(const Level& level, const CutOut& cutOut, double coverage)
 {
     std::vector<float> alphas;

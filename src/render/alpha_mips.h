@@ -10,9 +10,9 @@ namespace tarn {
 
 /// Where a picture says what of a surface is there.
 struct CutOut {
-    int channel = 3;      ///< that holds alpha: 3 of a colour map, 0 of an alpha map
-    float cutoff = 0.5f;  ///< in 0..1; what is less is not there
-    bool isSrgb = true;   ///< colours are encoded; alpha never is
+    int channel = 3;     ///< that holds alpha: 3 of a colour map, 0 of an alpha map
+    float cutoff = 0.5f; ///< in 0..1; what is less is not there
+    bool isSrgb = true;  ///< colours are encoded; alpha never is
 };
 
 /// What alpha means below the picture itself.

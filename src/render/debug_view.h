@@ -25,10 +25,19 @@ enum class DebugView {
 inline constexpr int debugViewCount = 13;
 
 /// As on the command line: "final", "scene-depth", …, in the order of the enumeration.
-inline constexpr std::array<const char*, debugViewCount> debugViewNames = {
-    "final",       "scene-depth",      "refraction", "refraction-depth",   "reflection", "fresnel",
-    "path-length", "w-position",       "normals",    "caustics",           "surface-position",
-    "a-position",  "reflection-position"};
+inline constexpr std::array<const char*, debugViewCount> debugViewNames = {"final",
+                                                                           "scene-depth",
+                                                                           "refraction",
+                                                                           "refraction-depth",
+                                                                           "reflection",
+                                                                           "fresnel",
+                                                                           "path-length",
+                                                                           "w-position",
+                                                                           "normals",
+                                                                           "caustics",
+                                                                           "surface-position",
+                                                                           "a-position",
+                                                                           "reflection-position"};
 
 inline std::optional<DebugView> debugViewFromName(std::string_view name)
 {

@@ -38,8 +38,7 @@ gl::Texture blackSky()
 
 } // namespace
 
-DraftScene::DraftScene(const GpuScene& s)
-    : scene(s.scene()), sky(s.sky()), skyMap(s.skyMap()), instances(s.instances())
+DraftScene::DraftScene(const GpuScene& s) : scene(s.scene()), sky(s.sky()), skyMap(s.skyMap()), instances(s.instances())
 {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) meshes.push_back(s.buffers(static_cast<int>(i)));
     const Chunks& all = s.chunks();
@@ -94,7 +93,8 @@ void DraftRenderer::warmUp()
     frame_.drawFramebuffer().clearColour(vec4(0.0f));
     frame_.drawFramebuffer().clearDepth();
     // Vertices in the layout of a mesh: the code that fetches them is built for it.
-    const MeshBuffers buffers{std::make_shared<gl::Buffer>("draft warm-up"), std::make_shared<gl::Buffer>("draft warm-up")};
+    const MeshBuffers buffers{std::make_shared<gl::Buffer>("draft warm-up"),
+                              std::make_shared<gl::Buffer>("draft warm-up")};
     const std::vector<Vertex> corners(3);
     const std::vector<std::uint32_t> order{0, 1, 2};
     buffers.vertices->upload(std::span(corners));
@@ -125,10 +125,7 @@ void DraftRenderer::show(const DraftScene& scene)
         placed_->worldFromModelNormal.push_back(glm::transpose(glm::inverse(mat3(instance.worldFromModel))));
 }
 
-ivec2 DraftRenderer::sizeFor(ivec2 asked) const
-{
-    return glm::max(ivec2(glm::round(scale_ * vec2(asked))), ivec2(1));
-}
+ivec2 DraftRenderer::sizeFor(ivec2 asked) const { return glm::max(ivec2(glm::round(scale_ * vec2(asked))), ivec2(1)); }
 
 bool DraftRenderer::draw(const FrameRequest& request)
 {

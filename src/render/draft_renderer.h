@@ -1,4 +1,5 @@
-// A quick picture of a scene, drawn with a handful of short programs: what is shown while those of the real one are built.
+// A quick picture of a scene, drawn with a handful of short programs: what is shown while those of the real one are
+// built.
 //
 //     DraftRenderer draft;                          // builds its programs; the scene may still be loading
 //     DraftScene snapshot(gpuScene);                // in the thread that owns the scene on the card
@@ -52,7 +53,7 @@ public:
 private:
     struct Placed { ///< what only a scene brings
         DraftScene snapshot;
-        std::vector<gl::VertexArray> meshes; ///< of this context
+        std::vector<gl::VertexArray> meshes;    ///< of this context
         std::vector<mat3> worldFromModelNormal; ///< per instance
     };
 

@@ -9,8 +9,7 @@ namespace tarn {
 
 Drawing::Drawing(gl::Profiler& p, ScenePainter& s)
     : profiler(p), painter(s), viewBlock(static_cast<int>(BlockIndex::view), "view block")
-{
-}
+{}
 
 FrameStats::Pass& Drawing::beginPass(PassId pass, const View& view, ivec2 size)
 {

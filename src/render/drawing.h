@@ -6,8 +6,8 @@
 #include "gl/target.h"
 #include "optics/blocks.h"
 #include "plan/frame_plan.h"
-#include "render/kept.h"
 #include "render/frame.h"
+#include "render/kept.h"
 #include "render/scene_painter.h"
 
 #include <vector>

@@ -13,17 +13,17 @@
 namespace tarn {
 
 struct FrameInput {
-    const Camera& camera;  ///< with stereo.output, between the eyes
-    double time = 0.0;     ///< seconds
-    ivec2 size{640, 480};  ///< of the picture, or of one eye's, pixels; both at least 1
+    const Camera& camera; ///< with stereo.output, between the eyes
+    double time = 0.0;    ///< seconds
+    ivec2 size{640, 480}; ///< of the picture, or of one eye's, pixels; both at least 1
     DebugView view = DebugView::final;
     /// Scene, water body, camera, time, size and options are those of the last frame: what that drew for the water to
-    /// look up stays, and only the picture is drawn anew. For several debug views of one moment. Of no effect in stereo,
-    /// where what is looked up is the other eye's.
+    /// look up stays, and only the picture is drawn anew. For several debug views of one moment. Of no effect in
+    /// stereo, where what is looked up is the other eye's.
     bool sameMoment = false;
-    /// From 1: of the samples of a moment that are averaged, the how-many-eth this frame is. It is jittered within a pixel,
-    /// and what is shown is the mean of all so far. Everything else is that of the frames before. 0: this frame alone. Of no
-    /// effect in debug views and in stereo.
+    /// From 1: of the samples of a moment that are averaged, the how-many-eth this frame is. It is jittered within a
+    /// pixel, and what is shown is the mean of all so far. Everything else is that of the frames before. 0: this frame
+    /// alone. Of no effect in debug views and in stereo.
     int sample = 0;
     /// Looked at between passes: once it is true, render() throws FrameAbandoned. Null: the frame is drawn to its end.
     const std::atomic<bool>* abandoned = nullptr;

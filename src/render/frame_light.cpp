@@ -19,14 +19,13 @@ void lightBelow(blocks::FrameBlock& block, const WaterBody& water, const SkyMode
     block.sunDirectionBelow = optics::refractedSunDirection(block.sunDirection, water.ior);
     block.sunBelow = optics::sunIrradianceBelow(block.sunIrradiance, block.sunDirection.y, water.ior);
     block.skyBelow = optics::skyIrradianceBelow(glm::max(sky.irradiance(up), vec3(0.0f)));
-    block.deepRadiance = optics::deepWaterRadiance(
-        water.colour, block.sunBelow * block.sunDirectionBelow.y, block.skyBelow);
+    block.deepRadiance =
+        optics::deepWaterRadiance(water.colour, block.sunBelow * block.sunDirectionBelow.y, block.skyBelow);
 }
 
 } // namespace
 
-blocks::FrameBlock frameBlock(const Scene& scene, const WaterBody& water, const SkyModel& sky,
-                              const Options& options)
+blocks::FrameBlock frameBlock(const Scene& scene, const WaterBody& water, const SkyModel& sky, const Options& options)
 {
     blocks::FrameBlock block{};
     block.time = 0.0f; // the waves' phases carry it: see wavesBlock
@@ -49,8 +48,9 @@ blocks::FrameBlock frameBlock(const Scene& scene, const WaterBody& water, const 
     }
     for (const SpotLight& light : scene.spotLights) {
         if (count == blocks::maxLights) break;
-        block.lights[count++] = {light.position,  std::cos(light.innerAngle), light.intensity,
-                                 std::cos(light.outerAngle), light.direction, 0.0f};
+        block.lights[count++] = {light.position,  std::cos(light.innerAngle),
+                                 light.intensity, std::cos(light.outerAngle),
+                                 light.direction, 0.0f};
     }
     block.lightCount = static_cast<float>(count);
     return block;
@@ -71,7 +71,8 @@ bool sameLight(const blocks::FrameBlock& a, const blocks::FrameBlock& b)
 
 int drawnLightCount(const Scene& scene)
 {
-    return static_cast<int>(std::min<std::size_t>(scene.pointLights.size() + scene.spotLights.size(), blocks::maxLights));
+    return static_cast<int>(
+        std::min<std::size_t>(scene.pointLights.size() + scene.spotLights.size(), blocks::maxLights));
 }
 
 int drawnWaveCount(const WaterBody& water)

@@ -7,8 +7,7 @@
 
 namespace tarn {
 
-blocks::FrameBlock frameBlock(const Scene& scene, const WaterBody& water, const SkyModel& sky,
-                              const Options& options);
+blocks::FrameBlock frameBlock(const Scene& scene, const WaterBody& water, const SkyModel& sky, const Options& options);
 
 /// A frame's light without what moves: neither the moment nor the surface's grid changes what lies under the water or
 /// stands over it.

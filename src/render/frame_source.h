@@ -33,8 +33,8 @@ struct FrameReport {
     std::vector<gl::PassTime> passes;
     double milliseconds = 0.0; ///< that the thread spent on drawing it
     std::string shaderError;   ///< "file:line: message", or ""
-    Options options{}; ///< that were asked for
-    int sample = 0;    ///< the same
+    Options options{};         ///< that were asked for
+    int sample = 0;            ///< the same
 };
 
 class FrameSource {

@@ -7,8 +7,7 @@ namespace tarn {
 
 FrameThread::FrameThread(std::unique_ptr<gl::Context> context, Make make, std::function<void()> wake)
     : context_(std::move(context)), wake_(std::move(wake)), thread_([this, make = std::move(make)] { work(make); })
-{
-}
+{}
 
 FrameThread::~FrameThread()
 {
@@ -123,8 +122,10 @@ void FrameThread::serve(FrameSource& source)
         // Who moves waits for nothing but frames.
         const bool moves = last && !(*last == request.camera);
         last = request.camera;
-        if (!moves) workAhead();
-        else if (ahead == Ahead::nothing) ahead = Ahead::more; // as far as is known
+        if (!moves)
+            workAhead();
+        else if (ahead == Ahead::nothing)
+            ahead = Ahead::more; // as far as is known
     }
 }
 

@@ -6,8 +6,8 @@
 //     thread.ask(request);                // the newest one counts
 //     if (thread.take()) show(*thread.picture());
 //
-// Three pictures go round: one is shown, one is finished, one is being drawn. No frame is begun while a finished one waits
-// to be shown, so that pictures are drawn no faster than they are shown.
+// Three pictures go round: one is shown, one is finished, one is being drawn. No frame is begun while a finished one
+// waits to be shown, so that pictures are drawn no faster than they are shown.
 #pragma once
 
 #include "gl/context.h"
@@ -66,7 +66,8 @@ public:
     /// Between two frames, once the source is made.
     void post(Job job);
 
-    /// True when a finished picture is newer than the one that was shown; it is now picture(). Throws what the thread threw.
+    /// True when a finished picture is newer than the one that was shown; it is now picture(). Throws what the thread
+    /// threw.
     bool take();
     /// A picture is finished for the thread that draws, but not yet for its GPU: look again soon.
     bool isPending() const;

@@ -16,10 +16,9 @@ const gl::Texture& FresnelTexture::of(float ior, const WaterOptions& options)
     for (const vec2& texel : optics::makeFresnelTable(ior, size_, filter_).texels)
         values.insert(values.end(), {texel.x, texel.y});
     const bool blends = filter_ == optics::TableFilter::linear;
-    texture_ = gl::Texture({.format = gl::Format::rg32f,
-                            .size = {size_, 1},
-                            .filter = blends ? gl::Filter::linear : gl::Filter::nearest},
-                           "Fresnel table");
+    texture_ = gl::Texture(
+        {.format = gl::Format::rg32f, .size = {size_, 1}, .filter = blends ? gl::Filter::linear : gl::Filter::nearest},
+        "Fresnel table");
     texture_.upload(std::span<const float>(values), 2);
     return texture_;
 }

@@ -13,7 +13,8 @@
 namespace tarn {
 
 GpuScene::GpuScene(const Scene& scene, float anisotropy, Progress* progress)
-    : scene_(scene), instances_(flatten(scene)), chunks_(listChunks(scene, instances_)), sky_(scene), anisotropy_(anisotropy)
+    : scene_(scene), instances_(flatten(scene)), chunks_(listChunks(scene, instances_)), sky_(scene),
+      anisotropy_(anisotropy)
 {
     uploadMeshes();
     uploadTextures(progress);
@@ -106,7 +107,8 @@ template <typename T> std::vector<T> spreadGrey(const std::vector<T>& grey)
 }
 
 /// The channels that are not in the picture but in the texture, which has one only where nothing else is read.
-template <typename T> void uploadLevel(gl::Texture& texture, const Image& image, const std::vector<T>& values, int level)
+template <typename T>
+void uploadLevel(gl::Texture& texture, const Image& image, const std::vector<T>& values, int level)
 {
     const auto rows = upsideDown(values, image.width, image.height, image.channels);
     const bool spreads = image.channels == 1 && gl::channelCount(texture.format()) > 1;
@@ -145,7 +147,8 @@ void uploadCutOutLevels(gl::Texture& texture, const Image& image, const CutOut& 
 {
     const DiskCache cache(cacheFolder() / "mip-levels", mostCachedBytes);
     int level = 0;
-    for (const Image& smaller : cutOutMips(image, cutOut, kind, cache)) uploadLevel(texture, smaller, smaller.bytes, ++level);
+    for (const Image& smaller : cutOutMips(image, cutOut, kind, cache))
+        uploadLevel(texture, smaller, smaller.bytes, ++level);
 }
 
 } // namespace
@@ -169,8 +172,10 @@ void GpuScene::uploadTextures(Progress* progress)
             progress->report(static_cast<double>(i) / static_cast<double>(wanted.size()), "uploading " + image.name);
         if (textures_.contains(wanted[i])) continue;
         MapTexture map{uploaded(image, use), cutOutOf(scene_, index, use == MapUse::colour), {}};
-        if (map.cutOut) uploadCutOutLevels(map.texture, image, *map.cutOut, CutOutLevels::covering);
-        else map.texture.generateMipmaps();
+        if (map.cutOut)
+            uploadCutOutLevels(map.texture, image, *map.cutOut, CutOutLevels::covering);
+        else
+            map.texture.generateMipmaps();
         textures_.emplace(wanted[i], std::move(map));
     }
 }
@@ -183,13 +188,18 @@ gl::Texture GpuScene::uploaded(const Image& image, MapUse use) const
     desc.mipmaps = true;
     desc.wrap = gl::Wrap::repeat;
     desc.anisotropy = anisotropy_;
-    if (image.isFloat()) desc.format = gl::Format::rgba16f;
-    else if (use == MapUse::colour) desc.format = gl::Format::srgb8a8;
-    else desc.format = image.channels == 1 ? gl::Format::r8 : gl::Format::rgba8;
+    if (image.isFloat())
+        desc.format = gl::Format::rgba16f;
+    else if (use == MapUse::colour)
+        desc.format = gl::Format::srgb8a8;
+    else
+        desc.format = image.channels == 1 ? gl::Format::r8 : gl::Format::rgba8;
 
     gl::Texture texture(desc, image.name);
-    if (image.isFloat()) uploadLevel(texture, image, image.floats, 0);
-    else uploadLevel(texture, image, image.bytes, 0);
+    if (image.isFloat())
+        uploadLevel(texture, image, image.floats, 0);
+    else
+        uploadLevel(texture, image, image.bytes, 0);
     return texture;
 }
 

@@ -1,9 +1,9 @@
-// A scene in the graphics card's memory: meshes, textures, and the baked sky. Made once per scene, for all contexts that
-// share what they hold.
+// A scene in the graphics card's memory: meshes, textures, and the baked sky. Made once per scene, for all contexts
+// that share what they hold.
 //
-// It refers to the Scene for as long as it lives, but reads the texels of Scene::images in its constructor only: whoever
-// owns the scene may release them afterwards (releaseTexels() in scene/scene.h). Meshes stay in both memories, for levels
-// of detail and for what the plan asks of the triangles.
+// It refers to the Scene for as long as it lives, but reads the texels of Scene::images in its constructor only:
+// whoever owns the scene may release them afterwards (releaseTexels() in scene/scene.h). Meshes stay in both memories,
+// for levels of detail and for what the plan asks of the triangles.
 #pragma once
 
 #include "gl/buffer.h"

@@ -22,7 +22,8 @@ vec2 placeIn(const HeightField& field, vec2 xz)
 
 float texelAt(const HeightField& field, int i, int j)
 {
-    return field.heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(field.edge) + static_cast<std::size_t>(i)];
+    return field
+        .heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(field.edge) + static_cast<std::size_t>(i)];
 }
 
 } // namespace

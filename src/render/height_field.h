@@ -21,18 +21,20 @@ struct HeightField {
     bool holds(const vec3& point, float tolerance) const;
     /// Of a texel, the longer edge, m.
     float texel() const;
-    /// How far along a ray it first meets the surface between the heights, m, or nothing where it leaves the map or comes
-    /// within a millimetre of `lowest` before. Cell by cell and in double precision: what marches are held against.
+    /// How far along a ray it first meets the surface between the heights, m, or nothing where it leaves the map or
+    /// comes within a millimetre of `lowest` before. Cell by cell and in double precision: what marches are held
+    /// against.
     /// @param direction unit, going down
     std::optional<double> firstMeeting(const glm::dvec3& from, const glm::dvec3& direction) const;
 };
 
-/// Level n - 1 of the result holds, for each block of 2^n by 2^n cells between centres, the largest of the heights at the
-/// corners of its cells, which no patch within it exceeds (maximum mipmaps, Tevs et al. 2008). The last is a single block.
+/// Level n - 1 of the result holds, for each block of 2^n by 2^n cells between centres, the largest of the heights at
+/// the corners of its cells, which no patch within it exceeds (maximum mipmaps, Tevs et al. 2008). The last is a single
+/// block.
 std::vector<std::vector<float>> largestHeights(const HeightField& field);
 
-/// A coarser level of a pyramid over a square map: each block joined of the texels that it covers, two by two of the finer
-/// level, or three by three of the map's own centres, which neighbouring blocks share.
+/// A coarser level of a pyramid over a square map: each block joined of the texels that it covers, two by two of the
+/// finer level, or three by three of the map's own centres, which neighbouring blocks share.
 /// @param join called with the block, which begins as `empty`, and each of its texels
 template <typename Texel, typename Join>
 std::vector<Texel> coarserLevel(const std::vector<Texel>& finer, int finerEdge, bool ofCentres, const Texel& empty,

@@ -43,8 +43,8 @@ MapLight mapLight(const blocks::FrameBlock& light)
             light.waterLevel,   light.ior,           light.absorption};
 }
 
-/// What its colours hold cannot follow: the sun's direction in the bed's response, all light in what stands over the water.
-/// Returns whether there was something to say.
+/// What its colours hold cannot follow: the sun's direction in the bed's response, all light in what stands over the
+/// water. Returns whether there was something to say.
 bool sayOtherLight(const HeightMapPicture& map, const MapLight& now)
 {
     if (!map.light) return false;
@@ -66,12 +66,16 @@ void HeightMaps::draw(const Inputs& frame, ScenePainter& painter, gl::UniformBuf
         if (!saidOther_.contains(picture.kind) && sayOtherLight(picture, light_)) saidOther_.insert(picture.kind);
     };
     if (frame.plan.raycastsMirror) {
-        if (const auto& given = frame.given.afloat.picture) take(afloat_, *given);
-        else drawAfloat(frame, painter, viewBlock, stats);
+        if (const auto& given = frame.given.afloat.picture)
+            take(afloat_, *given);
+        else
+            drawAfloat(frame, painter, viewBlock, stats);
     }
     if (frame.plan.raycastsBed) {
-        if (const auto& given = frame.given.bed.picture) take(bed_, *given);
-        else drawBed(frame, painter, viewBlock, stats);
+        if (const auto& given = frame.given.bed.picture)
+            take(bed_, *given);
+        else
+            drawBed(frame, painter, viewBlock, stats);
     }
 }
 

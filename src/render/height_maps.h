@@ -18,7 +18,7 @@ public:
         const FramePlan& plan; ///< says which maps are marched through
         const Options& options;
         const WaterBody& water;
-        const Bounds& bounds;  ///< of the scene, world
+        const Bounds& bounds; ///< of the scene, world
         const SunVolume& volume;
         const blocks::FrameBlock& light;
         const PaintStyle& lit; ///< the sun's maps must be there for it
@@ -41,7 +41,7 @@ private:
 
     HeightsPass bed_;
     AfloatHeightsPass afloat_;
-    MapLight light_; ///< of the last frame
+    MapLight light_;              ///< of the last frame
     std::set<MapKind> saidOther_; ///< of which given maps it was said that they were made in another light
 };
 

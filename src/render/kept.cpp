@@ -22,10 +22,12 @@ bool CausticsKey::operator==(const CausticsKey& other) const
 
 bool Kept::beginFrame(const Moment& moment, const PlanOptions& rules, bool mayKeepFrame)
 {
-    const bool isSequel = moment.options == moment_.options && moment.water == moment_.water && moment.size == moment_.size;
+    const bool isSequel =
+        moment.options == moment_.options && moment.water == moment_.water && moment.size == moment_.size;
     if (!isSequel) {
         drawnFrames_ = 0;
-        for (UpdateInterval* interval : {&causticsInterval_, &refractionInterval_, &reflectionInterval_}) interval->forget();
+        for (UpdateInterval* interval : {&causticsInterval_, &refractionInterval_, &reflectionInterval_})
+            interval->forget();
     }
     moment_ = moment;
     rules_ = rules;
@@ -44,7 +46,9 @@ void Kept::endFrame()
 
 UpdateInterval& Kept::intervalOf(PassId pass)
 {
-    return pass == PassId::caustics ? causticsInterval_ : pass == PassId::refraction ? refractionInterval_ : reflectionInterval_;
+    return pass == PassId::caustics     ? causticsInterval_
+           : pass == PassId::refraction ? refractionInterval_
+                                        : reflectionInterval_;
 }
 
 UpdateState Kept::stateFor(const Camera& camera, WaterSide side) const

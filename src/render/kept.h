@@ -1,11 +1,11 @@
-// What of a frame is kept from an earlier one: the picture, the targets and the maps, while what they were drawn from stays
-// as it is (the rules keep_frame, keep_targets and keep_maps).
+// What of a frame is kept from an earlier one: the picture, the targets and the maps, while what they were drawn from
+// stays as it is (the rules keep_frame, keep_targets and keep_maps).
 #pragma once
 
 #include "optics/blocks.h"
 #include "plan/frame_plan.h"
-#include "render/passes/sunlight.h"
 #include "render/frame.h"
+#include "render/passes/sunlight.h"
 #include "render/update_interval.h"
 
 #include <cstdint>
@@ -68,8 +68,9 @@ public:
     bool caustics(CausticsKey key);
     void causticsWereDrawn();
 
-    /// Whether a pass that is drawn in every n-th frame only (update_interval.h) is not due, so that this frame looks up what
-    /// an earlier one drew, from where that was drawn. refraction, reflection: not for two eyes, whose targets are the other's
+    /// Whether a pass that is drawn in every n-th frame only (update_interval.h) is not due, so that this frame looks
+    /// up what an earlier one drew, from where that was drawn. refraction, reflection: not for two eyes, whose targets
+    /// are the other's
     bool isUsedAgain(PassId pass, const Camera& camera, WaterSide side);
     bool areCausticsUsedAgain() { return isUsedAgain(PassId::caustics, moment_.camera, WaterSide::above); }
 
@@ -117,7 +118,7 @@ private:
     // By how many frames each is drawn before the next, so that they take turns.
     UpdateInterval causticsInterval_{2}, refractionInterval_{1}, reflectionInterval_{0};
     std::uint64_t drawnFrames_ = 0; ///< of these options
-    bool isAnyStale_ = false; ///< of what this frame looks up
+    bool isAnyStale_ = false;       ///< of what this frame looks up
 };
 
 } // namespace tarn

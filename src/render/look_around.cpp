@@ -57,7 +57,8 @@ Sight lookAround(const std::vector<SceneBox>& boxes, const Scene& scene, const W
     sight.mirrors = sight.seesBed = sight.mainReceives = sight.refractionReceives = sight.reflectionReceives = false;
     sight.leastDepth = std::numeric_limits<float>::max();
     for (const SceneBox& box : boxes) {
-        const bool inRefraction = mayShow(refraction, none, box.boundsW), inMirror = mayShow(mirrored, none, box.boundsW);
+        const bool inRefraction = mayShow(refraction, none, box.boundsW),
+                   inMirror = mayShow(mirrored, none, box.boundsW);
         sight.mirrors |= inMirror;
         if (inRefraction) {
             const Material& material = scene.materials[static_cast<std::size_t>(box.material)];

@@ -15,8 +15,7 @@ std::vector<float> readMapColour(const gl::Texture& texture)
     const std::vector<float> texels = texture.readBack();
     const auto channels = static_cast<std::size_t>(gl::channelCount(texture.format()));
     std::vector<float> colours;
-    for (std::size_t i = 0; i < texels.size(); i += channels)
-        colours.insert(colours.end(), &texels[i], &texels[i] + 3);
+    for (std::size_t i = 0; i < texels.size(); i += channels) colours.insert(colours.end(), &texels[i], &texels[i] + 3);
     return colours;
 }
 

@@ -9,8 +9,8 @@
 
 namespace tarn {
 
-/// RGB: normals, -1..1; A: half the square of their slope. Mip levels hold the means, from which the shader knows how much
-/// slope they have lost (Olano & Baker 2010, LEAN mapping).
+/// RGB: normals, -1..1; A: half the square of their slope. Mip levels hold the means, from which the shader knows how
+/// much slope they have lost (Olano & Baker 2010, LEAN mapping).
 gl::Texture normalMapTexture(const Image& image, float anisotropy);
 
 /// What a program with NORMAL_MAP needs for a frame.
@@ -18,7 +18,7 @@ struct NormalMapInputs {
     const gl::Texture* map = nullptr; ///< null: no ripples
     float tile = 1.0f;                ///< m
     float bump = 1.0f;
-    std::array<vec2, 4> offsets{};    ///< of the layers
+    std::array<vec2, 4> offsets{}; ///< of the layers
 
     explicit operator bool() const { return map != nullptr; }
     void set(gl::Program& program) const;

@@ -10,9 +10,12 @@ BadPixels countBadPixels(std::string pass, std::span<const float> rgba)
     bad.pass = std::move(pass);
     for (std::size_t i = 0; i < rgba.size(); ++i) {
         if (i % 4 == 3) continue;
-        if (std::isnan(rgba[i])) ++bad.nan;
-        else if (std::isinf(rgba[i])) ++bad.infinite;
-        else if (rgba[i] < 0.0f) ++bad.negative;
+        if (std::isnan(rgba[i]))
+            ++bad.nan;
+        else if (std::isinf(rgba[i]))
+            ++bad.infinite;
+        else if (rgba[i] < 0.0f)
+            ++bad.negative;
     }
     return bad;
 }

@@ -36,8 +36,7 @@ public:
     Tools(std::shared_ptr<GpuScene> scene, const Task& task, const std::atomic<bool>& ends)
         : progress_(ends), shaders_(makeShaderLibrary()),
           rehearsal_(std::move(scene), *shaders_, task.options, task.water, &progress_)
-    {
-    }
+    {}
 
     void run(const Task& task)
     {
@@ -54,8 +53,7 @@ private:
 
 ProgramBuilder::ProgramBuilder(std::unique_ptr<gl::Context> context, std::shared_ptr<GpuScene> scene)
     : context_(std::move(context)), scene_(std::move(scene)), thread_([this] { work(); })
-{
-}
+{}
 
 ProgramBuilder::~ProgramBuilder()
 {

@@ -1,5 +1,6 @@
-// Builds programs in a thread and a context of its own, before the thread that draws needs them. A software driver keeps
-// what it has compiled in its cache, not in the context: there a program that was built here is at hand in a tenth of the time.
+// Builds programs in a thread and a context of its own, before the thread that draws needs them. A software driver
+// keeps what it has compiled in its cache, not in the context: there a program that was built here is at hand in a
+// tenth of the time.
 //
 //     ProgramBuilder builder(window.makeShared(), scene);
 //     builder.begin({{options, water, view}, {options, water, {}}});

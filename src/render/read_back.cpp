@@ -12,9 +12,8 @@ template <typename T> std::vector<T> topDown(const std::vector<T>& rgba, ivec2 s
                    static_cast<std::size_t>(channels));
     for (int y = size.y - 1; y >= 0; --y) {
         for (int x = 0; x < size.x; ++x) {
-            const std::size_t pixel = (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
-                                       static_cast<std::size_t>(x)) *
-                                      4;
+            const std::size_t pixel =
+                (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)) * 4;
             for (int c = 0; c < channels; ++c) result.push_back(rgba[pixel + static_cast<std::size_t>(c)]);
         }
     }

@@ -49,10 +49,7 @@ template <typename Block> gl::UniformBuffer<Block> uniformBuffer(BlockIndex inde
 bool wantsRawValues(DebugView view) { return view != DebugView::final; }
 
 /// The anisotropy of the scene's textures: the option's, where the driver can bear it.
-float anisotropyFor(const FrameOptions& options)
-{
-    return gl::avoidsAnisotropy() ? 1.0f : options.anisotropy;
-}
+float anisotropyFor(const FrameOptions& options) { return gl::avoidsAnisotropy() ? 1.0f : options.anisotropy; }
 
 /// Debug views that the water pass writes; the scene around them stays empty.
 bool isWaterView(DebugView view)
@@ -101,9 +98,9 @@ struct Renderer::State {
         : scene(uploaded->scene()), options(o), water(scene.water), shaders(library),
           uploadedScene(std::move(uploaded)), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
           waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
-          accumulate(shaders), presentPass(shaders), fxaa(shaders), upscale(shaders), debugCopy(shaders), stereo(shaders)
-    {
-    }
+          accumulate(shaders), presentPass(shaders), fxaa(shaders), upscale(shaders), debugCopy(shaders),
+          stereo(shaders)
+    {}
 
     const Scene& scene;
     Options options;
@@ -115,9 +112,9 @@ struct Renderer::State {
     Drawing drawing;
     Bounds bounds; ///< of the scene, world space
     std::vector<SceneBox> boxes = listBoxes(scene);
-    float bedEdge = 0.0f; ///< m; of the triangles under water
+    float bedEdge = 0.0f;                      ///< m; of the triangles under water
     std::optional<DepthComplexity> complexity; ///< once a method is auto
-    bool saidCoarse = false; ///< that they are too large for refraction.camera = flat
+    bool saidCoarse = false;                   ///< that they are too large for refraction.camera = flat
 
     gl::UniformBuffer<blocks::FrameBlock> frameBlock =
         uniformBuffer<blocks::FrameBlock>(BlockIndex::frame, "frame block");
@@ -144,16 +141,16 @@ struct Renderer::State {
     DebugCopyPass debugCopy;
     StereoPass stereo;
 
-    const gl::Target* glow = nullptr;  ///< of this frame, or null
+    const gl::Target* glow = nullptr;          ///< of this frame, or null
     const gl::Texture* sideOfPixels = nullptr; ///< of a frame that shows both sides of the surface, or null
-    const gl::Target* shown = nullptr; ///< what the last frame presented, before tone curve and upscaling
-    const gl::Target* display = nullptr; ///< the same as it is shown, of the picture's size
-    ivec2 presented{1}; ///< the last frame's size, both eyes' beside each other
-    const gl::Target* beside = nullptr; ///< both eyes' displayed halves, or null for one eye
-    const gl::Target* anaglyph = nullptr; ///< made of them, or null
+    const gl::Target* shown = nullptr;         ///< what the last frame presented, before tone curve and upscaling
+    const gl::Target* display = nullptr;       ///< the same as it is shown, of the picture's size
+    ivec2 presented{1};                        ///< the last frame's size, both eyes' beside each other
+    const gl::Target* beside = nullptr;        ///< both eyes' displayed halves, or null for one eye
+    const gl::Target* anaglyph = nullptr;      ///< made of them, or null
 
     // Of this frame, or of the eye that is being drawn.
-    ivec2 drawnSize{1};      ///< of the frame, pixels
+    ivec2 drawnSize{1}; ///< of the frame, pixels
     View main;
     Sight sight;
     bool looksUpAnew = true; ///< maps and targets are not as the last frame left them
@@ -185,8 +182,7 @@ struct Renderer::State {
 Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
                    Progress* progress)
     : Renderer(uploadScene(scene, options, progress), options, shaders, profiler, progress)
-{
-}
+{}
 
 Renderer::Renderer(std::shared_ptr<GpuScene> uploaded, const Options& options, gl::ShaderLibrary& shaders,
                    gl::Profiler& profiler, Progress* progress)
@@ -239,7 +235,8 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
     water = body;
     if (wantsDepthComplexity(options) && !complexity) complexity = depthComplexity(scene, water);
     if (dithersCutOuts(options.frame)) gpuScene.wantShares();
-    if (options.detail.pixels > 0.0f && gpuScene.wantDetail(nullptr)) painter.setWater(water.present ? &water : nullptr);
+    if (options.detail.pixels > 0.0f && gpuScene.wantDetail(nullptr))
+        painter.setWater(water.present ? &water : nullptr);
     if (options.refraction.camera != RefractionOptions::CameraMode::flat || bedEdge <= longestBedEdge) return;
     options.refraction.camera = RefractionOptions::CameraMode::snell;
     if (!std::exchange(saidCoarse, true))
@@ -275,8 +272,10 @@ const FrameStats& Renderer::render(const FrameInput& input)
     s.beside = s.anaglyph = nullptr;
     s.sun.beginFrame();
     try {
-        if (s.options.stereo.isOn()) s.drawBothEyes(input);
-        else s.drawEye(input, input.camera);
+        if (s.options.stereo.isOn())
+            s.drawBothEyes(input);
+        else
+            s.drawEye(input, input.camera);
     } catch (...) {
         s.drawing.kept.forget();
         throw;
@@ -329,11 +328,12 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     if (sample > 0) allowed.plan.rules[static_cast<std::size_t>(RuleId::targetBounds)] = false;
     sight = lookAround(boxes, scene, water, input.camera, input.size, allowed, light);
     hiddenBlocks.takeAnswers();
-    sight.waterWasHidden = hiddenBlocks.wereAllHidden() && OcclusionPass::canAsk(waterBounds(water), input.camera.eye) &&
-                           !drawing.checking && !input.sameMoment;
+    sight.waterWasHidden = hiddenBlocks.wereAllHidden() &&
+                           OcclusionPass::canAsk(waterBounds(water), input.camera.eye) && !drawing.checking &&
+                           !input.sameMoment;
     const FramePlan before = std::move(drawing.stats.plan);
     drawing.stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
-                           complexity ? &*complexity : nullptr, &sight);
+                                   complexity ? &*complexity : nullptr, &sight);
     // What the last frame left out, a debug view of the same moment may want to show.
     looksUpAnew = !input.sameMoment || wantsMore(drawing.stats.plan, before);
     glow = nullptr;
@@ -342,9 +342,10 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     isCrossing = plan().side == WaterSide::crossing;
     main = mainView(input.camera, aspect);
     if (sample > 0)
-        main.clipFromView =
-            glm::translate(mat4(1.0f), vec3(2.0f * jitterOf(sample) / vec2(glm::min(input.size, plan()[PassId::scene].size)), 0.0f)) *
-            main.clipFromView;
+        main.clipFromView = glm::translate(mat4(1.0f), vec3(2.0f * jitterOf(sample) /
+                                                                vec2(glm::min(input.size, plan()[PassId::scene].size)),
+                                                            0.0f)) *
+                            main.clipFromView;
     // How far off geometry may be. The maps of heights hold full detail: what marches through them goes closer.
     main.geometryError = geometryErrorOf(main, plan()[PassId::scene].size, options.detail.pixels);
     targets.begin(targetInputs(input), plan());
@@ -397,17 +398,19 @@ void Renderer::State::tellHidden(const Occlusion& occlusion)
 {
     RuleState& rule = drawing.stats.plan.rule(RuleId::cullHidden);
     rule.applies = occlusion.asked > 0;
-    rule.why = rule.applies ? fmt::format("{} of {} blocks in view were hidden in the last frame: drawn only if this one's "
-                                          "depth shows some of their boxes",
-                                          occlusion.asked, occlusion.drawn)
-                            : "no block in view was hidden in the last frame";
+    rule.why = rule.applies
+                   ? fmt::format("{} of {} blocks in view were hidden in the last frame: drawn only if this one's "
+                                 "depth shows some of their boxes",
+                                 occlusion.asked, occlusion.drawn)
+                   : "no block in view was hidden in the last frame";
 }
 
 void Renderer::State::drawHeights()
 {
     gl::PassScope scope(drawing.profiler, passName(PassId::heights));
     FrameStats::Pass& pass = drawing.stats.of(passName(PassId::heights));
-    const HeightMaps::Inputs inputs{drawing.stats.plan, options, water, bounds, sun.volume(), light, sun.lit(), scene.maps};
+    const HeightMaps::Inputs inputs{drawing.stats.plan, options, water,     bounds,
+                                    sun.volume(),       light,   sun.lit(), scene.maps};
     heights.draw(inputs, painter, drawing.viewBlock, pass);
 }
 
@@ -422,7 +425,8 @@ void Renderer::State::drawScene(const FrameInput& input)
                   .depth = gl::Format::depth24,
                   .samples = raw ? 1 : options.frame.samples()});
 
-    ScenePass::Inputs inputs{.view = main, .style = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
+    ScenePass::Inputs inputs{
+        .view = main, .style = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
     if (isWaterView(input.view)) { // what hides the water is all that they need
         inputs.style = PaintStyle{};
         inputs.style.depthOnly = true;
@@ -434,8 +438,7 @@ void Renderer::State::drawScene(const FrameInput& input)
     inputs.style.depthFirst &= !frame.isMultisampled();
     inputs.style.debugNormals = input.view == DebugView::normals;
     inputs.style.sky = !raw;
-    if (plan()[PassId::water].wanted && plan().side == WaterSide::above &&
-        input.view != DebugView::sceneDepth)
+    if (plan()[PassId::water].wanted && plan().side == WaterSide::above && input.view != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
     FrameStats::Pass& pass = drawing.beginPass(PassId::scene, main, drawnSize);
     if (isCrossing) sideOfPixels = &waterline.draw(main, drawnSize);
@@ -474,7 +477,8 @@ void Renderer::State::drawWater(const FrameInput& input)
     const bool counts = (mayAsk || options.plan.allows(RuleId::waterHidden)) && !wantsRawValues(input.view);
     const bool culls = options.plan.allows(RuleId::cullChunks);
     if (!isCrossing && (culls || counts)) // a frame that shows both sides draws the surface twice, as it is
-        inputs.sight.emplace(WaterGrid::Sight{main, plan().waterGrid, slabBounds, culls, counts ? &occlusion : nullptr});
+        inputs.sight.emplace(
+            WaterGrid::Sight{main, plan().waterGrid, slabBounds, culls, counts ? &occlusion : nullptr});
     FrameStats::Pass& pass = drawing.beginPass(PassId::water, main, drawnSize);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
     if (isCrossing) {
@@ -499,7 +503,8 @@ void Renderer::State::drawGlow(const FrameInput& input)
     frame.resolveDepth();
     const ivec2 size = plan()[PassId::glow].size;
     FrameStats::Pass& pass = drawing.beginPass(PassId::glow, main, size);
-    glow = &glowPass.draw(waterGrid, options, {.sceneDepth = frame.depth(),
+    glow = &glowPass.draw(waterGrid, options,
+                          {.sceneDepth = frame.depth(),
                            .size = size,
                            .waveCount = drawnWaveCount(water),
                            .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
@@ -525,11 +530,10 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
                                           side.refractionView.farPlane)
                         : debugCopy.nothing(size);
     case DebugView::reflection:
-        return reflects ? debugCopy.colour(side.reflection.target().colour(), size)
-                        : debugCopy.nothing(size);
+        return reflects ? debugCopy.colour(side.reflection.target().colour(), size) : debugCopy.nothing(size);
     case DebugView::caustics:
         return plan()[PassId::caustics].wanted ? debugCopy.colour(sun.caustics().colour(), size)
-                                                   : debugCopy.nothing(size);
+                                               : debugCopy.nothing(size);
     default: break;
     }
     // What was drawn smaller is upscaled as it is shown, after the tone curve.
@@ -559,7 +563,8 @@ const gl::Target& Renderer::State::displayed() const
     return anaglyph ? *anaglyph : beside ? *beside : *display;
 }
 
-/// The radiance of the last frame, of its picture's size. In an upscaled frame nobody else needs it: made when it is read.
+/// The radiance of the last frame, of its picture's size. In an upscaled frame nobody else needs it: made when it is
+/// read.
 const gl::Target& Renderer::State::linear()
 {
     if (shown->size() == presented) return *shown;

@@ -56,8 +56,8 @@ public:
     /// Count NaN, infinity and negative radiance in every target from the next frame on (slow: reads them all back).
     void setChecking(bool checking);
 
-    /// From the next frame on each pass draws one triangle with each program that it needs, and no more of the scene: for
-    /// warmUp(), whose pictures nobody sees. What maps hold then is wrong.
+    /// From the next frame on each pass draws one triangle with each program that it needs, and no more of the scene:
+    /// for warmUp(), whose pictures nobody sees. What maps hold then is wrong.
     void setWarmingUp(bool warmingUp);
 
     const FrameStats& render(const FrameInput& input);
@@ -67,8 +67,8 @@ public:
     /// The last frame's picture as it is shown; in stereo as readDisplay has it.
     const gl::Framebuffer& display() const;
 
-    /// The last frame as it is shown: 8-bit sRGB, three channels. In stereo an anaglyph, or the left eye's picture on the
-    /// left of the right one's.
+    /// The last frame as it is shown: 8-bit sRGB, three channels. In stereo an anaglyph, or the left eye's picture on
+    /// the left of the right one's.
     Image readDisplay() const;
 
     /// The last frame's linear radiance, or the debug view's raw values: four floats a pixel (debug views of the
@@ -76,8 +76,8 @@ public:
     /// is made of what a display shows.
     Image readLinear() const;
 
-    /// The camera of the last frame's refraction target (of its air's side, when it shows both; of the right eye, when it
-    /// shows two), world space.
+    /// The camera of the last frame's refraction target (of its air's side, when it shows both; of the right eye, when
+    /// it shows two), world space.
     const View& refractionView() const;
 
     /// The map that the last frame's refracted rays were marched through and nothing else, or null.

@@ -25,12 +25,15 @@ bool changesScene(const Options& from, const Options& to)
 
 RendererSource::RendererSource(std::shared_ptr<GpuScene> uploaded, const Options& options, const WaterBody& water,
                                Progress* progress, std::unique_ptr<gl::Context> builderContext)
-    : scene_(std::move(uploaded)), shaders_(makeShaderLibrary()), renderer_(scene_, options, *shaders_, profiler_, progress),
-      progress_(progress), buildsAhead_(!gl::capabilities().llvmpipe), asked_(options), water_(water)
+    : scene_(std::move(uploaded)), shaders_(makeShaderLibrary()),
+      renderer_(scene_, options, *shaders_, profiler_, progress), progress_(progress),
+      buildsAhead_(!gl::capabilities().llvmpipe), asked_(options), water_(water)
 {
     renderer_.setOptions(options, water);
-    if (buildsAhead_) warmUp(renderer_, water, progress);
-    else if (builderContext) builder_ = std::make_unique<ProgramBuilder>(std::move(builderContext), scene_);
+    if (buildsAhead_)
+        warmUp(renderer_, water, progress);
+    else if (builderContext)
+        builder_ = std::make_unique<ProgramBuilder>(std::move(builderContext), scene_);
 }
 
 RendererSource::~RendererSource() = default;
@@ -67,11 +70,12 @@ bool RendererSource::draw(const FrameRequest& request)
         if (progress_) progress_->report(1.0, "building shaders");
         return true;
     });
-    // A software driver draws a pass while the next one is prepared, and knows the time of none unless each is waited for.
+    // A software driver draws a pass while the next one is prepared, and knows the time of none unless each is waited
+    // for.
     constexpr int framesBetweenTimed = 16;
     profiler_.setSynchronous(gl::capabilities().llvmpipe && frames_++ % framesBetweenTimed == 0);
-    stats_ = &renderer_.render({request.camera, request.time, request.size, request.view, false, request.sample,
-                                request.abandoned.get()});
+    stats_ = &renderer_.render(
+        {request.camera, request.time, request.size, request.view, false, request.sample, request.abandoned.get()});
     shaders_->watchFirstUses({});
     if (profiler_.isSynchronous() || !gl::capabilities().llvmpipe) passes_ = profiler_.latest();
     sample_ = request.sample;
@@ -88,9 +92,6 @@ RendererSource::Ahead RendererSource::workAhead()
     return rehearsal_->buildOthers(1) ? Ahead::more : Ahead::nothing;
 }
 
-FrameReport RendererSource::report() const
-{
-    return {*stats_, passes_, 0.0, shaders_->lastError(), asked_, sample_};
-}
+FrameReport RendererSource::report() const { return {*stats_, passes_, 0.0, shaders_->lastError(), asked_, sample_}; }
 
 } // namespace tarn

@@ -20,13 +20,13 @@ class Rehearsal;
 
 class RendererSource : public FrameSource {
 public:
-    /// On a graphics card it builds every program that frames with these options may ask for, while a draft moves as the
-    /// full picture will. On a processor each takes so long that only those of a frame are built before it, in two threads,
-    /// and the others in the second thread.
+    /// On a graphics card it builds every program that frames with these options may ask for, while a draft moves as
+    /// the full picture will. On a processor each takes so long that only those of a frame are built before it, in two
+    /// threads, and the others in the second thread.
     /// @param progress must outlive it; null: none
     /// @param builderContext of the second thread, on a processor; null: the others are built one by one between frames
-    RendererSource(std::shared_ptr<GpuScene> uploaded, const Options& options, const WaterBody& water, Progress* progress,
-                   std::unique_ptr<gl::Context> builderContext = nullptr);
+    RendererSource(std::shared_ptr<GpuScene> uploaded, const Options& options, const WaterBody& water,
+                   Progress* progress, std::unique_ptr<gl::Context> builderContext = nullptr);
     ~RendererSource() override;
 
     void prepare(const FrameRequest& request) override;
@@ -44,12 +44,12 @@ private:
     gl::Profiler profiler_;
     Renderer renderer_;
     Progress* progress_;
-    std::unique_ptr<Rehearsal> rehearsal_; ///< from the first frame on; null: everything was built ahead
+    std::unique_ptr<Rehearsal> rehearsal_;    ///< from the first frame on; null: everything was built ahead
     std::unique_ptr<ProgramBuilder> builder_; ///< null: there is no second thread
-    std::vector<gl::PassTime> passes_; ///< of the last frame whose passes were timed
+    std::vector<gl::PassTime> passes_;        ///< of the last frame whose passes were timed
     int frames_ = 0;
     bool buildsAhead_; ///< all at once
-    Options asked_; ///< the renderer's own may differ where it must
+    Options asked_;    ///< the renderer's own may differ where it must
     WaterBody water_;
     int sample_ = 0;
     const FrameStats* stats_ = nullptr;

@@ -39,19 +39,30 @@ struct FeatureName {
     Feature feature;
     const char* define;
 };
-constexpr FeatureName featureNames[] = {
-    {diffuseMap, "DIFFUSE_MAP"},   {normalMap, "NORMAL_MAP"},        {emissiveMap, "EMISSIVE_MAP"},
-    {alphaMap, "ALPHA_MAP"},       {alphaTest, "ALPHA_TEST"},        {turnNormal, "TURN_NORMAL"},
-    {specular, "SPECULAR"},        {underwaterEye, "UNDERWATER"},
-    {alphaToCoverage, "ALPHA_TO_COVERAGE"}, {debugNormals, "DEBUG_NORMALS"}, {sunDisc, "SUN_DISC"},
-    {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"}, {caustics, "CAUSTICS"},
-    {skyWaterline, "WATERLINE"},       {inAir, "IN_AIR"},               {inWater, "IN_WATER"},
-    {flatWater, "FLAT_WATER"},
-    {dithered, "DITHERED"},         {forMap, "FOR_MAP"},             {countsFaces, "COUNT_FACES"}};
+constexpr FeatureName featureNames[] = {{diffuseMap, "DIFFUSE_MAP"},
+                                        {normalMap, "NORMAL_MAP"},
+                                        {emissiveMap, "EMISSIVE_MAP"},
+                                        {alphaMap, "ALPHA_MAP"},
+                                        {alphaTest, "ALPHA_TEST"},
+                                        {turnNormal, "TURN_NORMAL"},
+                                        {specular, "SPECULAR"},
+                                        {underwaterEye, "UNDERWATER"},
+                                        {alphaToCoverage, "ALPHA_TO_COVERAGE"},
+                                        {debugNormals, "DEBUG_NORMALS"},
+                                        {sunDisc, "SUN_DISC"},
+                                        {transmission, "TRANSMISSION"},
+                                        {shadows, "SHADOWS"},
+                                        {caustics, "CAUSTICS"},
+                                        {skyWaterline, "WATERLINE"},
+                                        {inAir, "IN_AIR"},
+                                        {inWater, "IN_WATER"},
+                                        {flatWater, "FLAT_WATER"},
+                                        {dithered, "DITHERED"},
+                                        {forMap, "FOR_MAP"},
+                                        {countsFaces, "COUNT_FACES"}};
 
 /// What decides whether a surface is there at all.
-constexpr unsigned shapeFeatures =
-    diffuseMap | alphaMap | alphaTest | dithered | countsFaces | flatWater;
+constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | dithered | countsFaces | flatWater;
 
 gl::Defines definesOf(unsigned features)
 {
@@ -61,10 +72,7 @@ gl::Defines definesOf(unsigned features)
     return defines;
 }
 
-bool transmits(const Material& material)
-{
-    return material.alphaTested && material.transmission != vec3(0.0f);
-}
+bool transmits(const Material& material) { return material.alphaTested && material.transmission != vec3(0.0f); }
 
 } // namespace
 
@@ -151,8 +159,7 @@ gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
 
 void ScenePainter::prepare(const PaintStyle& style)
 {
-    for (const Chunk& chunk : scene_.chunks().all)
-        sceneProgram(features(chunk), style);
+    for (const Chunk& chunk : scene_.chunks().all) sceneProgram(features(chunk), style);
     skyProgram(style);
 }
 
@@ -174,8 +181,7 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material, b
         return dithers && material.alphaTested ? scene_.shares(image, use) : scene_.texture(image, use);
     };
     if (material.diffuseMap != noImage) program.texture("diffuseMap", map(material.diffuseMap, MapUse::colour));
-    if (material.normalMap != noImage)
-        program.texture("normalMap", scene_.texture(material.normalMap, MapUse::data));
+    if (material.normalMap != noImage) program.texture("normalMap", scene_.texture(material.normalMap, MapUse::data));
     if (material.emissiveMap != noImage)
         program.texture("emissiveMap", scene_.texture(material.emissiveMap, MapUse::colour));
     if (material.alphaMap != noImage) program.texture("alphaMap", map(material.alphaMap, MapUse::data));
@@ -184,16 +190,19 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material, b
 void ScenePainter::draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
                         FrameStats::Pass& stats)
 {
-    if (media_.size() != scene_.chunks().all.size()) setWater(water_); // another renderer has asked the scene for levels of detail
+    if (media_.size() != scene_.chunks().all.size())
+        setWater(water_); // another renderer has asked the scene for levels of detail
     const auto chunks = visibleChunks(scene_.chunks(), scene_.scene().materials, view, cover, cull, water_);
-    if (style.depthFirst && !style.depthOnly) drawDepthFirst(chunks, view, style, stats);
-    else drawChunks(chunks, view, style, stats);
+    if (style.depthFirst && !style.depthOnly)
+        drawDepthFirst(chunks, view, style, stats);
+    else
+        drawChunks(chunks, view, style, stats);
     if (style.sky) drawSky(style);
 }
 
 /// Foliage hides foliage many times over, and a shader that discards cannot be kept from what is hidden. Its shape goes
-/// first, in a shader of one lookup; what is solid hides little of itself and is shaded at once; then foliage is shaded where
-/// its depth was left.
+/// first, in a shader of one lookup; what is solid hides little of itself and is shaded at once; then foliage is shaded
+/// where its depth was left.
 void ScenePainter::drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
                                   FrameStats::Pass& stats)
 {
@@ -265,8 +274,9 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
         lastProgram = &program;
         lastMaterial = chunk->material;
         lastInstance = chunk->instance;
-        meshArray(chunk->mesh).drawIndexed(gl::Primitive::triangles, static_cast<int>(chunk->firstIndex),
-                                             static_cast<int>(warmingUp_ ? 3 : chunk->indexCount));
+        meshArray(chunk->mesh)
+            .drawIndexed(gl::Primitive::triangles, static_cast<int>(chunk->firstIndex),
+                         static_cast<int>(warmingUp_ ? 3 : chunk->indexCount));
         stats.triangles += chunk->indexCount / 3;
         ++stats.drawCalls;
     }

@@ -4,8 +4,8 @@
 #include "gl/profiler.h"
 #include "gl/shader_library.h"
 #include "gl/state.h"
-#include "render/gpu_scene.h"
 #include "render/frame.h"
+#include "render/gpu_scene.h"
 
 #include <map>
 #include <memory>
@@ -15,23 +15,24 @@ namespace tarn {
 
 /// How a view of the scene differs from the plain one.
 struct PaintStyle {
-    bool underwaterEye = false;   ///< between eye and submerged things there is water
+    bool underwaterEye = false;             ///< between eye and submerged things there is water
     const gl::Texture* waterline = nullptr; ///< or only where this says so, pixel by pixel (passes/waterline.h)
-    bool sunDisc = false;         ///< the sky shows the sun itself
-    bool alphaToCoverage = false; ///< the target has several samples: foliage edges use them
-    bool dithersCutOuts = false;  ///< foliage is there by chance of its share of a pixel: pixels' means are what counts
-    bool debugNormals = false;    ///< world-space normals in place of radiance
-    bool shadows = false;         ///< sunlight is looked up in the shadow maps
-    bool caustics = false;        ///< and what reaches the bed in the caustics texture
+    bool sunDisc = false;                   ///< the sky shows the sun itself
+    bool alphaToCoverage = false;           ///< the target has several samples: foliage edges use them
+    bool dithersCutOuts = false; ///< foliage is there by chance of its share of a pixel: pixels' means are what counts
+    bool debugNormals = false;   ///< world-space normals in place of radiance
+    bool shadows = false;        ///< sunlight is looked up in the shadow maps
+    bool caustics = false;       ///< and what reaches the bed in the caustics texture
     bool throughFlatWater = false; ///< what lies under the level is drawn where a flat surface shows it
-    bool depthOnly = false;       ///< no colour
-    bool depthFirst = false;      ///< cut-outs are drawn twice, first their depth alone: what is hidden is not shaded. One sample only
-    bool depthIsDrawn = false;    ///< the second of the two: where the depth is equal, a cut-out is there
-    bool bothSides = false;       ///< faces are there seen from behind, too: whatever side the sun sees casts a shadow
-    bool forMap = false;          ///< all but the sun's light under water, and beside it how that would be answered
-    bool countsFaces = false;     ///< adds 1 for each face that is seen from the front and takes 1 for each from behind
+    bool depthOnly = false;        ///< no colour
+    bool depthFirst =
+        false; ///< cut-outs are drawn twice, first their depth alone: what is hidden is not shaded. One sample only
+    bool depthIsDrawn = false; ///< the second of the two: where the depth is equal, a cut-out is there
+    bool bothSides = false;    ///< faces are there seen from behind, too: whatever side the sun sees casts a shadow
+    bool forMap = false;       ///< all but the sun's light under water, and beside it how that would be answered
+    bool countsFaces = false;  ///< adds 1 for each face that is seen from the front and takes 1 for each from behind
     std::optional<gl::PixelRect> scissor{}; ///< beside it nothing is drawn
-    bool sky = true;              ///< fill what no geometry covers with the sky (or, under water, with water)
+    bool sky = true;                        ///< fill what no geometry covers with the sky (or, under water, with water)
 };
 
 /// What the sun's light is looked up in. Null: not there, and not asked for by any style.
@@ -60,8 +61,7 @@ public:
     void setWarmingUp(bool warmingUp) { warmingUp_ = warmingUp; }
 
     /// Draws into the bound target. FrameBlock and the view's ViewBlock must be bound.
-    void draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
-              FrameStats::Pass& stats);
+    void draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull, FrameStats::Pass& stats);
 
 private:
     /// What a material asks of the shader. Bits of a key.
@@ -90,7 +90,7 @@ private:
         std::shared_ptr<gl::Buffer> indices; ///< that it was made with
         gl::VertexArray array;
     };
-    std::vector<MeshArray> meshArrays_; ///< of this context; made when they are first drawn
+    std::vector<MeshArray> meshArrays_;      ///< of this context; made when they are first drawn
     std::vector<mat3> worldFromModelNormal_; ///< per instance
     gl::FullscreenTriangle triangle_;
 };

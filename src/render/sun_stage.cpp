@@ -32,8 +32,7 @@ std::vector<float> waveWeights(const blocks::WavesBlock& waves, int count, float
 
 SunStage::SunStage(gl::ShaderLibrary& shaders)
     : block_(static_cast<int>(BlockIndex::sun), "sun block"), caustics_(shaders)
-{
-}
+{}
 
 void SunStage::begin(const Inputs& inputs, Kept& kept, bool draws)
 {

@@ -1,5 +1,5 @@
-// What the sun gives a frame: its shadow maps and the caustics, drawn where the plan wants them and an earlier frame did
-// not leave them as they are.
+// What the sun gives a frame: its shadow maps and the caustics, drawn where the plan wants them and an earlier frame
+// did not leave them as they are.
 #pragma once
 
 #include "render/caustics_map.h"
@@ -54,10 +54,10 @@ private:
     SunVolume volume_;
     CausticsRegion region_;
     PaintStyle lit_;
-    bool hasSunlight_ = false; ///< this frame's maps of the sun are drawn, or kept
-    bool isPlaced_ = false;    ///< this frame's region_ is known
+    bool hasSunlight_ = false;       ///< this frame's maps of the sun are drawn, or kept
+    bool isPlaced_ = false;          ///< this frame's region_ is known
     bool usesCausticsAgain_ = false; ///< this frame looks up those of an earlier one
-    bool hasCaustics_ = false; ///< this frame's caustics are drawn; they are the same for both eyes
+    bool hasCaustics_ = false;       ///< this frame's caustics are drawn; they are the same for both eyes
 };
 
 /// Foliage by chance of its share of a pixel is right in the mean of several pixels, and noise where one must do.

@@ -109,8 +109,8 @@ View sunView(const SunVolume& volume, SunLayer layer, std::size_t cascade, const
     // The bed goes on a little above the level, so that the last photons before the shore find it there.
     constexpr float beach = 0.12f;
     if (hasWater)
-        view.clipPlane = layer == SunLayer::afloat ? vec4(0.0f, 1.0f, 0.0f, -level)
-                                                   : vec4(0.0f, -1.0f, 0.0f, level + beach);
+        view.clipPlane =
+            layer == SunLayer::afloat ? vec4(0.0f, 1.0f, 0.0f, -level) : vec4(0.0f, -1.0f, 0.0f, level + beach);
     return view;
 }
 
@@ -133,8 +133,7 @@ CausticsRegion causticsRegion(const WaterBody& water, const Camera& camera, cons
     const float height = std::abs(camera.eye.y - water.level);
     // Six times the eye's height away the bed is seen at 10 degrees, where water mirrors more than it lets through.
     constexpr float least = 16.0f, perHeight = 6.0f, beside = 4.0f;
-    const float extent =
-        options.extent > 0.0f ? options.extent : quantised(perHeight * height + beside, least);
+    const float extent = options.extent > 0.0f ? options.extent : quantised(perHeight * height + beside, least);
     // Light that waves throw past the water's edge still lands on something.
     constexpr float withRim = 1.05f;
     if (extent >= whole) return {{water.centre, vec2(0.5f * withRim * whole)}, 0.0f};

@@ -13,7 +13,7 @@ namespace tarn {
 
 /// A rectangle on the plane of the water's level.
 struct LevelRect {
-    vec2 centre{0.0f};     ///< x and z
+    vec2 centre{0.0f}; ///< x and z
     vec2 halfExtent{1.0f};
     bool operator==(const LevelRect&) const = default;
 };
@@ -39,8 +39,8 @@ enum class SunLayer { afloat, submerged };
 View sunView(const SunVolume& volume, SunLayer layer, std::size_t cascade, const vec3& toSun, const WaterBody& water,
              bool hasWater);
 
-/// A parallel projection onto a rectangle at a level, along what moves by `slant` sideways for each metre up. Depth 0 is
-/// at the highest height, 1 at the lowest; the map's rows run along +z.
+/// A parallel projection onto a rectangle at a level, along what moves by `slant` sideways for each metre up. Depth 0
+/// is at the highest height, 1 at the lowest; the map's rows run along +z.
 View parallelView(const LevelRect& rect, float lowest, float highest, vec2 slant, float level);
 
 /// What the caustics texture covers: the whole water when that is small, else a square about what the eye sees of it,
@@ -53,8 +53,8 @@ struct CausticsRegion {
 };
 CausticsRegion causticsRegion(const WaterBody& water, const Camera& camera, const CausticsOptions& options);
 
-/// By how much an occluder must clear a surface in a cascade, m: the option's bias in the first; a coarser texel, within
-/// which a surface may bend, asks for a quarter of what it is wider.
+/// By how much an occluder must clear a surface in a cascade, m: the option's bias in the first; a coarser texel,
+/// within which a surface may bend, asks for a quarter of what it is wider.
 float shadowBias(const SunVolume& volume, std::size_t cascade, const SunlightOptions& options);
 
 blocks::SunBlock sunBlock(const SunVolume& volume, const CausticsRegion& region, const Options& options);

@@ -1,8 +1,8 @@
 // Loops of a shader written out by the preprocessor.
 //
-// A software rasteriser runs every loop once more than it counts, with all pixels masked out, and reads what a loop's counter
-// indexes lane by lane: written out, a sum over the waves takes a fraction of the time. Shaders compile no branch for what a
-// scene does not have. The price is a program for each count.
+// A software rasteriser runs every loop once more than it counts, with all pixels masked out, and reads what a loop's
+// counter indexes lane by lane: written out, a sum over the waves takes a fraction of the time. Shaders compile no
+// branch for what a scene does not have. The price is a program for each count.
 #pragma once
 
 #include "gl/shader_source.h"
@@ -19,10 +19,10 @@ namespace tarn {
 ///     #undef WAVE
 ///
 /// @param most counts beyond this become a loop: the compiler's time grows with what is written out
-inline std::pair<std::string, std::string> unrolled(const std::string& macro, const std::string& body, int count, int most)
+inline std::pair<std::string, std::string> unrolled(const std::string& macro, const std::string& body, int count,
+                                                    int most)
 {
-    if (count > most)
-        return {macro, "for (int i = 0; i < " + std::to_string(count) + "; ++i) { " + body + "(i) }"};
+    if (count > most) return {macro, "for (int i = 0; i < " + std::to_string(count) + "; ++i) { " + body + "(i) }"};
     std::string text;
     for (int i = 0; i < count; ++i) text += body + "(" + std::to_string(i) + ") ";
     return {macro, text};

@@ -27,8 +27,7 @@ bool movedAway(const UpdateState& before, const UpdateState& now)
 bool turnedAway(const UpdateState& before, const UpdateState& now, float extension)
 {
     const float aspect = static_cast<float>(now.size.x) / static_cast<float>(now.size.y);
-    const mat3 beforeFromNow =
-        mat3(viewFromWorld(before.camera)) * glm::transpose(mat3(viewFromWorld(now.camera)));
+    const mat3 beforeFromNow = mat3(viewFromWorld(before.camera)) * glm::transpose(mat3(viewFromWorld(now.camera)));
     const ViewTangents picture(clipFromView(now.camera, aspect));
     const ViewTangents target(clipFromView(before.camera, aspect, extension));
     for (const vec2 corner : {vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(1, 1)}) {

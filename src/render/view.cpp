@@ -88,9 +88,8 @@ View refractionView(const Camera& camera, float aspect, const WaterBody& water, 
         view.flatWater = water.level;
     // A sheared frustum is turned with its camera, by the angle of the ray below the axis.
     if (options.camera == RefractionOptions::CameraMode::snell) {
-        const optics::RefractionCamera turned =
-            optics::refractionCamera(camera.eye, normalize(camera.target - camera.eye), camera.up,
-                                     camera.verticalFov, water.level, water.ior);
+        const optics::RefractionCamera turned = optics::refractionCamera(
+            camera.eye, normalize(camera.target - camera.eye), camera.up, camera.verticalFov, water.level, water.ior);
         view.viewFromWorld = glm::lookAt(turned.eye, turned.eye + turned.forward, turned.up);
         view.eye = turned.eye;
     }
@@ -108,8 +107,8 @@ View reflectionView(const Camera& camera, float aspect, const WaterBody& water, 
     view.viewFromWorld = view.viewFromWorld * mirror;
     view.eye.y = 2.0f * water.level - view.eye.y;
     view.mirrored = true;
-    view.clipPlane = underwater ? keepBelow(water.level + options.clipOffset)
-                                : keepAbove(water.level - options.clipOffset);
+    view.clipPlane =
+        underwater ? keepBelow(water.level + options.clipOffset) : keepAbove(water.level - options.clipOffset);
     return view;
 }
 
@@ -119,8 +118,8 @@ float geometryErrorOf(const View& view, ivec2 size, float pixels)
     const vec2 half = 0.5f * vec2(size);
     if (view.isParallel()) // at most the two axes' pixels per metre together
         return pixels / glm::length(vec2(half.x * glm::length(vec3(rows[0])), half.y * glm::length(vec3(rows[1]))));
-    // What moves by d at a distance r from the eye, seen at tangents t from the axis, moves by f/z (d_xy - t d_z) pixels,
-    // z = r / sqrt(1 + t²): at most f d/r (1 + t²), most in the farthest corner.
+    // What moves by d at a distance r from the eye, seen at tangents t from the axis, moves by f/z (d_xy - t d_z)
+    // pixels, z = r / sqrt(1 + t²): at most f d/r (1 + t²), most in the farthest corner.
     const ViewTangents tangents(view.clipFromView);
     const vec2 corner = glm::abs(tangents.middle) + tangents.half;
     const vec2 focal = half / tangents.half;

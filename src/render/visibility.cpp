@@ -40,8 +40,12 @@ Chunks listChunks(const Scene& scene, const std::vector<Instance>& instances, co
             return node < 0 ? -1 : node < parts ? firstFull + node : firstCoarse + node - parts;
         };
         for (auto node = detail.nodes.begin() + parts; node != detail.nodes.end(); ++node)
-            chunks.all.push_back({static_cast<int>(i), instances[i].mesh, node->material, node->firstIndex,
-                                  node->indexCount, node->bounds.transformed(worldFromModel),
+            chunks.all.push_back({static_cast<int>(i),
+                                  instances[i].mesh,
+                                  node->material,
+                                  node->firstIndex,
+                                  node->indexCount,
+                                  node->bounds.transformed(worldFromModel),
                                   node->error * largestScale(worldFromModel),
                                   {placed(node->finer[0]), placed(node->finer[1])}});
         for (const int root : detail.roots) chunks.coarsest.push_back(placed(root));
@@ -143,10 +147,9 @@ public:
 
     VisibleChunks(const Chunks& chunks, const std::vector<Material>& materials, const View& view,
                   const WaterCover& cover, bool cull, const WaterBody* water)
-        : chunks_(chunks), materials_(materials), view_(view), cover_(cover), frustum_(view.frustum()),
-          cull_(cull), water_(water)
-    {
-    }
+        : chunks_(chunks), materials_(materials), view_(view), cover_(cover), frustum_(view.frustum()), cull_(cull),
+          water_(water)
+    {}
 
     std::vector<Entry> list()
     {
@@ -208,8 +211,7 @@ std::vector<const Chunk*> visibleChunks(const Chunks& chunks, const std::vector<
 bool mayShow(const View& view, const WaterCover& cover, const Bounds& boxW)
 {
     const Bounds shown = view.flatWater ? seenThroughFlatWater(boxW, *view.flatWater) : boxW;
-    return view.frustum().intersects(shown) && keptByPlane(view.clipPlane, boxW) &&
-           !cover.hides(view.eye, boxW);
+    return view.frustum().intersects(shown) && keptByPlane(view.clipPlane, boxW) && !cover.hides(view.eye, boxW);
 }
 
 } // namespace tarn

@@ -22,8 +22,8 @@ struct Chunk {
 };
 
 struct Chunks {
-    std::vector<Chunk> all;   ///< those of full detail first
-    std::size_t full = 0;     ///< how many these are; together they are the scene
+    std::vector<Chunk> all;    ///< those of full detail first
+    std::size_t full = 0;      ///< how many these are; together they are the scene
     std::vector<int> coarsest; ///< together they are the scene, too; empty: there is only full detail
 
     const Chunk& operator[](int index) const { return all[static_cast<std::size_t>(index)]; }
@@ -31,7 +31,8 @@ struct Chunks {
 
 /// Every chunk of the scene, in world space.
 /// @param details of the scene's meshes, or empty: full detail only
-Chunks listChunks(const Scene& scene, const std::vector<Instance>& instances, const std::vector<MeshDetail>& details = {});
+Chunks listChunks(const Scene& scene, const std::vector<Instance>& instances,
+                  const std::vector<MeshDetail>& details = {});
 
 /// What lies round a chunk, at rest: whether scene.frag must ask for each pixel.
 enum class Medium { air, water, both };
@@ -51,13 +52,14 @@ struct WaterCover {
 WaterCover waterCover(const WaterBody& water);
 
 /// How far off the geometry of a chunk may be in a view, m: View::geometryError at the chunk's nearest point. Less
-/// where the ground crosses the water's level, since what is off by little in height moves the shore by much, and under it,
-/// which water magnifies.
+/// where the ground crosses the water's level, since what is off by little in height moves the shore by much, and under
+/// it, which water magnifies.
 /// @param isUpright cards of plants, which cross the level steeply
 float allowedError(const View& view, const Chunk& chunk, const WaterBody* water, bool isUpright);
 
 /// Chunks in the view's frustum, on the kept side of its clip plane and not covered, nearest first (so that the
-/// depth test throws most hidden pixels away before they are shaded), alpha-tested ones after the solid ones; each the coarsest that is accurate enough for the view.
+/// depth test throws most hidden pixels away before they are shaded), alpha-tested ones after the solid ones; each the
+/// coarsest that is accurate enough for the view.
 /// @param water null: there is none
 std::vector<const Chunk*> visibleChunks(const Chunks& chunks, const std::vector<Material>& materials, const View& view,
                                         const WaterCover& cover, bool cull, const WaterBody* water);

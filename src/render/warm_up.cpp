@@ -84,7 +84,8 @@ std::vector<Sort> everySort(const Options& options, const WaterBody& water)
 /// Draws frames, and looks after the first uses of programs meanwhile; the renderer is then as it was.
 class Rehearsing {
 public:
-    Rehearsing(Renderer& renderer, const WaterBody& water) : renderer_(renderer), options_(renderer.options()), water_(water)
+    Rehearsing(Renderer& renderer, const WaterBody& water)
+        : renderer_(renderer), options_(renderer.options()), water_(water)
     {
         renderer_.setWarmingUp(true);
     }
@@ -119,8 +120,10 @@ public:
             const std::size_t number = numbers.try_emplace(&program, numbers.size()).first->second;
             const bool builds = number % 2 == first;
             if (builds) next();
-            if (builds) skipping.reset();
-            else if (!skipping) skipping.emplace();
+            if (builds)
+                skipping.reset();
+            else if (!skipping)
+                skipping.emplace();
             return builds;
         });
         draw(sorts);
@@ -183,7 +186,8 @@ void warmUp(Renderer& renderer, const WaterBody& water, Progress* progress)
 }
 
 struct Rehearsal::State {
-    State(std::shared_ptr<GpuScene> scene, gl::ShaderLibrary& shaders, const Options& o, const WaterBody& w, Progress* p)
+    State(std::shared_ptr<GpuScene> scene, gl::ShaderLibrary& shaders, const Options& o, const WaterBody& w,
+          Progress* p)
         : options(o), water(w), progress(p), renderer(std::move(scene), o, shaders, profiler)
     {
         renderer.setOptions(o, w);
@@ -201,8 +205,7 @@ struct Rehearsal::State {
 Rehearsal::Rehearsal(std::shared_ptr<GpuScene> scene, gl::ShaderLibrary& shaders, const Options& options,
                      const WaterBody& water, Progress* progress)
     : state_(std::make_unique<State>(std::move(scene), shaders, options, water, progress))
-{
-}
+{}
 
 Rehearsal::~Rehearsal() = default;
 

@@ -1,5 +1,5 @@
-// Builds programs before the frames that need them: frames of all sorts, drawn tiny and with one triangle for each program,
-// make a driver finish what it leaves for the first draw.
+// Builds programs before the frames that need them: frames of all sorts, drawn tiny and with one triangle for each
+// program, make a driver finish what it leaves for the first draw.
 #pragma once
 
 #include "render/renderer.h"
@@ -9,12 +9,13 @@
 
 namespace tarn {
 
-/// Every program that a flight may ask for, for the options and the water that the renderer has; debug views are left for
-/// when they are asked for.
+/// Every program that a flight may ask for, for the options and the water that the renderer has; debug views are left
+/// for when they are asked for.
 /// @param water the renderer's
 void warmUp(Renderer& renderer, const WaterBody& water, Progress* progress = nullptr);
 
-/// The same bit by bit, beside a renderer whose pictures are shown: it has a renderer of its own with the same programs.
+/// The same bit by bit, beside a renderer whose pictures are shown: it has a renderer of its own with the same
+/// programs.
 ///
 ///     Rehearsal rehearsal(scene, shaders, options, water, progress);
 ///     rehearsal.build(view);                 // all that a view needs
@@ -32,7 +33,8 @@ public:
               const WaterBody& water, Progress* progress);
     ~Rehearsal();
 
-    /// Two rehearsals that begin with different programs meet in the middle, where a driver's cache has what the other built.
+    /// Two rehearsals that begin with different programs meet in the middle, where a driver's cache has what the other
+    /// built.
     enum class Order { evenFirst, oddFirst };
 
     void setOptions(const Options& options, const WaterBody& water);

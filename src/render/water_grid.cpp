@@ -22,8 +22,7 @@ void WaterGrid::ensure(int size)
     std::vector<vec2> vertices;
     vertices.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     for (int z = 0; z < size; ++z)
-        for (int x = 0; x < size; ++x)
-            vertices.emplace_back(static_cast<float>(x), static_cast<float>(z));
+        for (int x = 0; x < size; ++x) vertices.emplace_back(static_cast<float>(x), static_cast<float>(z));
     std::vector<std::uint32_t> indices;
     indices.reserve(static_cast<std::size_t>(size - 1) * static_cast<std::size_t>(size - 1) * 6);
     const auto addCell = [&](int x, int z) {
@@ -82,7 +81,8 @@ std::vector<WaterGrid::SeenBlock> WaterGrid::seenBlocks(int size, const Sight& s
         if (sight.cull && !mayShow(sight.view, WaterCover{}, next.box)) continue;
         const vec3& eye = sight.view.eye;
         next.distance = glm::distance(eye, glm::clamp(eye, next.box.lower, next.box.upper));
-        next.wasHidden = sight.occlusion && sight.occlusion->asks && sight.occlusion->parts.wasHidden(i) && OcclusionPass::canAsk(next.box, eye);
+        next.wasHidden = sight.occlusion && sight.occlusion->asks && sight.occlusion->parts.wasHidden(i) &&
+                         OcclusionPass::canAsk(next.box, eye);
         seen.push_back(next);
     }
     std::sort(seen.begin(), seen.end(), [](const SeenBlock& a, const SeenBlock& b) {

@@ -1,12 +1,13 @@
 // The water's grid of vertices, numbered by its lines (shared/water_grid.glsl tells where they stand); the passes that
-// draw the surface share it. Its triangles lie in square blocks, so that a view draws those that it sees, nearest first.
+// draw the surface share it. Its triangles lie in square blocks, so that a view draws those that it sees, nearest
+// first.
 #pragma once
 
 #include "gl/buffer.h"
 #include "gl/vertex_array.h"
 #include "optics/water_grid.h"
-#include "render/passes/occlusion.h"
 #include "render/frame.h"
+#include "render/passes/occlusion.h"
 #include "render/view.h"
 
 #include <vector>

@@ -39,13 +39,15 @@ void WaterTargets::draw(const Inputs& inputs, const Sight& sight, Drawing& drawi
     if (!isUsedAgain(PassId::refraction)) {
         first_.refractionView = firstViews_.refraction;
         below_.refractionView = belowViews_.refraction;
-        if (plan[PassId::refraction].wanted && !keeps(PassId::refraction, first_.refractionView, sight.refractionReceives))
+        if (plan[PassId::refraction].wanted &&
+            !keeps(PassId::refraction, first_.refractionView, sight.refractionReceives))
             drawRefraction(inputs, drawing);
     }
     if (!isUsedAgain(PassId::reflection)) {
         first_.reflectionView = firstViews_.reflection;
         below_.reflectionView = belowViews_.reflection;
-        if (plan[PassId::reflection].wanted && !keeps(PassId::reflection, first_.reflectionView, sight.reflectionReceives))
+        if (plan[PassId::reflection].wanted &&
+            !keeps(PassId::reflection, first_.reflectionView, sight.reflectionReceives))
             drawReflection(inputs, drawing);
     }
     drawing.kept.tell(drawing.stats.plan, RuleId::keepTargets);
@@ -56,13 +58,15 @@ void WaterTargets::drawRefraction(const Inputs& frame, Drawing& drawing)
     gl::PassScope scope(drawing.profiler, passName(PassId::refraction));
     const FramePlan& plan = drawing.plan();
     const auto draw = [&](Side& side, bool underwater) {
-        FrameStats::Pass& pass = drawing.beginPass(PassId::refraction, side.refractionView, plan[PassId::refraction].size);
+        FrameStats::Pass& pass =
+            drawing.beginPass(PassId::refraction, side.refractionView, plan[PassId::refraction].size);
         const RefractionPass::Inputs inputs{.view = side.refractionView,
                                             .underwater = underwater,
                                             .deepRadiance = frame.deepRadiance,
                                             .cull = frame.options.plan.allows(RuleId::cullChunks),
                                             .style = frame.lit};
-        drawing.check(PassId::refraction, side.refraction.draw(drawing.painter, frame.options.refraction, inputs, pass));
+        drawing.check(PassId::refraction,
+                      side.refraction.draw(drawing.painter, frame.options.refraction, inputs, pass));
     };
     if (plan.targetsBed) draw(first_, plan.side == WaterSide::below);
     if (plan.side == WaterSide::crossing) draw(below_, true);
@@ -73,12 +77,14 @@ void WaterTargets::drawReflection(const Inputs& frame, Drawing& drawing)
     gl::PassScope scope(drawing.profiler, passName(PassId::reflection));
     const FramePlan& plan = drawing.plan();
     const auto draw = [&](Side& side, bool underwater) {
-        FrameStats::Pass& pass = drawing.beginPass(PassId::reflection, side.reflectionView, plan[PassId::reflection].size);
+        FrameStats::Pass& pass =
+            drawing.beginPass(PassId::reflection, side.reflectionView, plan[PassId::reflection].size);
         const ReflectionPass::Inputs inputs{.view = side.reflectionView,
                                             .underwater = underwater,
                                             .cull = frame.options.plan.allows(RuleId::cullChunks),
                                             .style = frame.lit};
-        drawing.check(PassId::reflection, side.reflection.draw(drawing.painter, frame.options.reflection, inputs, pass));
+        drawing.check(PassId::reflection,
+                      side.reflection.draw(drawing.painter, frame.options.reflection, inputs, pass));
     };
     if (plan.targetsMirror) draw(first_, plan.side == WaterSide::below);
     if (plan.side == WaterSide::crossing) draw(below_, true);

@@ -1,5 +1,5 @@
-// What the water's surface looks up of the scene: the refraction and the reflection target, for each of its sides that a
-// frame shows.
+// What the water's surface looks up of the scene: the refraction and the reflection target, for each of its sides that
+// a frame shows.
 #pragma once
 
 #include "render/drawing.h"
@@ -13,8 +13,8 @@ public:
     struct Inputs {
         const Options& options;
         const WaterBody& water;
-        const Camera& camera; ///< of the eye that is drawn
-        float aspect = 1.0f;  ///< width / height of the picture
+        const Camera& camera;  ///< of the eye that is drawn
+        float aspect = 1.0f;   ///< width / height of the picture
         const PaintStyle& lit; ///< what of the sun's light the passes look up
         vec3 deepRadiance{0.0f};
     };

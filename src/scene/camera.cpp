@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
 mat4 viewFromWorld(const Camera& camera)
 {
@@ -12,8 +11,7 @@ mat4 viewFromWorld(const Camera& camera)
     // Looking straight along `up` leaves the roll open; any sideways axis will do then. Scene files cannot
     // ask for it, but a camera that is moved by hand can pass through it.
     if (glm::length(glm::cross(forward, up)) <= 1e-6f * glm::length(forward) * glm::length(up))
-        up = std::abs(forward.z) < 0.9f * glm::length(forward) ? vec3(0.0f, 0.0f, -1.0f)
-                                                               : vec3(1.0f, 0.0f, 0.0f);
+        up = std::abs(forward.z) < 0.9f * glm::length(forward) ? vec3(0.0f, 0.0f, -1.0f) : vec3(1.0f, 0.0f, 0.0f);
     return glm::lookAtRH(camera.eye, camera.target, up);
 }
 
@@ -27,8 +25,7 @@ mat4 clipFromView(const Camera& camera, float aspect, float extension)
 ViewTangents::ViewTangents(const mat4& clipFromView)
     : half(1.0f / clipFromView[0][0], 1.0f / clipFromView[1][1]),
       middle(clipFromView[2][0] / clipFromView[0][0], clipFromView[2][1] / clipFromView[1][1])
-{
-}
+{}
 
 Camera movedAside(const Camera& camera, float offset, float convergence)
 {

@@ -16,8 +16,8 @@ struct Camera {
     float verticalFov = 0.87f; ///< radians (degrees in files)
     float nearPlane = 0.1f;
     float farPlane = 1000.0f;
-    /// How far the middle of the picture lies to the right of the axis, as a tangent: the frustum is oblique, its planes
-    /// of equal depth stay perpendicular to the axis. Not in scene files.
+    /// How far the middle of the picture lies to the right of the axis, as a tangent: the frustum is oblique, its
+    /// planes of equal depth stay perpendicular to the axis. Not in scene files.
     float lensShift = 0.0f;
     bool operator==(const Camera&) const = default;
 };

@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn::daylight
-{
+namespace tarn::daylight {
 
-namespace
-{
+namespace {
 
 constexpr float angularRadius = 0.2665f; // of the sun's disc, degrees
 
-float elevationDegrees(float sinElevation)
-{
-    return glm::degrees(std::asin(std::clamp(sinElevation, -1.0f, 1.0f)));
-}
+float elevationDegrees(float sinElevation) { return glm::degrees(std::asin(std::clamp(sinElevation, -1.0f, 1.0f))); }
 
 } // namespace
 
@@ -79,8 +74,7 @@ vec3 sunIrradiance(float turbidity, float sinElevation)
     const float angstromBeta = std::max(0.04608f * turbidity - 0.04586f, 0.0f);
 
     const float zenithDegrees = 90.0f - elevationDegrees(sinElevation);
-    const float airMass =
-        1.0f / (std::max(sinElevation, 0.0f) + 0.15f * std::pow(93.885f - zenithDegrees, -1.253f));
+    const float airMass = 1.0f / (std::max(sinElevation, 0.0f) + 0.15f * std::pow(93.885f - zenithDegrees, -1.253f));
     const vec3 depth = 0.008735f * glm::pow(wavelength, vec3(-4.08f)) +
                        angstromBeta * glm::pow(wavelength, vec3(-1.3f)) + ozone * ozoneColumn;
     return visible * extraterrestrial * glm::exp(-depth * airMass);

@@ -6,8 +6,7 @@
 
 #include <array>
 
-namespace tarn::daylight
-{
+namespace tarn::daylight {
 
 /// The five coefficients of Perez' distribution for luminance Y and chromaticities x, y (appendix A.2).
 std::array<std::array<float, 5>, 3> perezCoefficients(float turbidity);

@@ -10,19 +10,16 @@
 #include <memory>
 #include <system_error>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr int largestSide = 16384;
 
 /// OpenImageIO's reasons may span lines; ours are one.
 std::string oneLine(std::string text)
 {
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
-        text.pop_back();
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text.empty() ? "unknown reason" : text;
 }
@@ -32,8 +29,7 @@ void checkIsFile(const std::filesystem::path& file)
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) throw Error("{}: no such picture; check the path", file.string());
-    if (std::filesystem::is_directory(status))
-        throw Error("{}: is a directory, not a picture", file.string());
+    if (std::filesystem::is_directory(status)) throw Error("{}: is a directory, not a picture", file.string());
 }
 
 /// Grey with alpha becomes RGBA, so that an alpha channel is always the fourth.
@@ -80,8 +76,7 @@ std::vector<std::uint8_t> toBytes(const Image& image)
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const bool isAlpha = (channels == 2 || channels == 4) && i % channels == channels - 1;
         const float value = image.floats[i];
-        const float encoded =
-            isAlpha ? std::clamp(value, 0.0f, 1.0f) : srgbEncode(std::isnan(value) ? 0.0f : value);
+        const float encoded = isAlpha ? std::clamp(value, 0.0f, 1.0f) : srgbEncode(std::isnan(value) ? 0.0f : value);
         bytes[i] = static_cast<std::uint8_t>(std::lround(encoded * 255.0f));
     }
     return bytes;
@@ -110,14 +105,12 @@ OIIO::ImageSpec specOf(const Image& image, bool asFloat, const std::map<std::str
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("CompressionQuality", 95);
     if (asFloat) spec.attribute("compression", "zip");
-    for (const auto& [key, value] : metadata)
-        spec.attribute(key, value);
+    for (const auto& [key, value] : metadata) spec.attribute(key, value);
     return spec;
 }
 
-void writePixels(const std::filesystem::path& temporary, const std::filesystem::path& file,
-                 const Image& image, const std::map<std::string, std::string>& metadata,
-                 const std::vector<std::string>& channelNames)
+void writePixels(const std::filesystem::path& temporary, const std::filesystem::path& file, const Image& image,
+                 const std::map<std::string, std::string>& metadata, const std::vector<std::string>& channelNames)
 {
     const auto output = OIIO::ImageOutput::create(temporary.string());
     if (!output)
@@ -159,8 +152,7 @@ float srgbDecode(float encoded)
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-namespace
-{
+namespace {
 
 /// Opened, and of a shape that can be read.
 std::unique_ptr<OIIO::ImageInput> openPicture(const std::filesystem::path& file)
@@ -173,8 +165,8 @@ std::unique_ptr<OIIO::ImageInput> openPicture(const std::filesystem::path& file)
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.width <= 0 || spec.height <= 0) throw Error("{}: the picture is empty (0x0)", file.string());
     if (spec.width > largestSide || spec.height > largestSide)
-        throw Error("{}: {}x{} pixels are more than {} a side; make it smaller", file.string(), spec.width,
-                    spec.height, largestSide);
+        throw Error("{}: {}x{} pixels are more than {} a side; make it smaller", file.string(), spec.width, spec.height,
+                    largestSide);
     if (spec.nchannels < 1) throw Error("{}: the picture has no channels", file.string());
     return input;
 }
@@ -220,12 +212,10 @@ NamedImage readNamedImage(const std::filesystem::path& file)
 }
 
 void writeImage(const std::filesystem::path& file, const Image& image,
-                const std::map<std::string, std::string>& metadata,
-                const std::vector<std::string>& channelNames)
+                const std::map<std::string, std::string>& metadata, const std::vector<std::string>& channelNames)
 {
     const std::size_t count = image.isFloat() ? image.floats.size() : image.bytes.size();
-    if (count == 0 || count != image.size())
-        throw Error("{}: cannot be written, the picture is empty", file.string());
+    if (count == 0 || count != image.size()) throw Error("{}: cannot be written, the picture is empty", file.string());
     writeWhole(file, [&](const std::filesystem::path& temporary) {
         writePixels(temporary, file, image, metadata, channelNames);
         requireWhole(temporary, file);

@@ -50,8 +50,9 @@ std::vector<float> numbersOf(const NamedImage& stored, const char* name, std::si
         at = std::find_if(next, end, [](char c) { return c != ' '; });
     }
     if (at != end || numbers.size() != count)
-        throw Error("{}: its attribute {} must be {} number{}, not '{}'; write the map anew, or take the attribute away",
-                    stored.image.name, name, count, count == 1 ? "" : "s", found->second);
+        throw Error(
+            "{}: its attribute {} must be {} number{}, not '{}'; write the map anew, or take the attribute away",
+            stored.image.name, name, count, count == 1 ? "" : "s", found->second);
     return numbers;
 }
 
@@ -62,8 +63,8 @@ void requireMapSize(const Image& image)
                     image.width, image.height);
     const auto edge = static_cast<unsigned>(image.width);
     if (image.width < smallestEdge || image.width > largestEdge || !std::has_single_bit(edge))
-        throw Error("{}: the edge of a map of heights is a power of two from {} to {}, not {}; scale it to {}", image.name,
-                    smallestEdge, largestEdge, edge,
+        throw Error("{}: the edge of a map of heights is a power of two from {} to {}, not {}; scale it to {}",
+                    image.name, smallestEdge, largestEdge, edge,
                     std::clamp(static_cast<int>(std::bit_ceil(edge)), smallestEdge, largestEdge));
 }
 
@@ -74,8 +75,8 @@ std::vector<std::size_t> channelPlaces(const NamedImage& stored, MapKind kind)
     for (const char* channel : channelsOf(kind)) {
         const auto found = std::find(stored.channelNames.begin(), stored.channelNames.end(), channel);
         if (found == stored.channelNames.end())
-            throw Error("{}: has no channel {}; a map '{}' needs {}, as tarn maps writes them", stored.image.name, channel,
-                        mapName(kind), fmt::join(channelsOf(kind), ", "));
+            throw Error("{}: has no channel {}; a map '{}' needs {}, as tarn maps writes them", stored.image.name,
+                        channel, mapName(kind), fmt::join(channelsOf(kind), ", "));
         places.push_back(static_cast<std::size_t>(found - stored.channelNames.begin()));
     }
     return places;
@@ -84,10 +85,12 @@ std::vector<std::size_t> channelPlaces(const NamedImage& stored, MapKind kind)
 /// @param isColour a radiance or a response; else a height
 void requireSound(const Image& image, const char* channel, bool isColour, float value, std::size_t texel)
 {
-    const bool isSound = isColour ? value >= 0.0f && value <= mostRadiance : std::abs(value) <= mostHeight; // NaN is not
+    const bool isSound =
+        isColour ? value >= 0.0f && value <= mostRadiance : std::abs(value) <= mostHeight; // NaN is not
     if (isSound) return;
     const auto width = static_cast<std::size_t>(image.width);
-    throw Error("{}: {} is {} at pixel ({}, {}); it must be {}", image.name, channel, value, texel % width, texel / width,
+    throw Error("{}: {} is {} at pixel ({}, {}); it must be {}", image.name, channel, value, texel % width,
+                texel / width,
                 isColour ? fmt::format("0 to {}", mostRadiance)
                          : fmt::format("metres, from {} to {}", -mostHeight, mostHeight));
 }
@@ -124,8 +127,8 @@ void takeHeader(HeightMapPicture& map, const NamedImage& stored)
     if (const auto extent = numbersOf(stored, "tarn:extent", 2); !extent.empty()) {
         map.extent = {extent[0], extent[1]};
         if (!(map.extent.x > 0.0f && map.extent.y > 0.0f))
-            throw Error("{}: its attribute tarn:extent must be more than 0 m, not {} by {}", stored.image.name, extent[0],
-                        extent[1]);
+            throw Error("{}: its attribute tarn:extent must be more than 0 m, not {} by {}", stored.image.name,
+                        extent[0], extent[1]);
     }
     if (map.kind == MapKind::bed) {
         // A bed without a word of what is none is bed everywhere.
@@ -135,8 +138,9 @@ void takeHeader(HeightMapPicture& map, const NamedImage& stored)
     const auto sun = numbersOf(stored, "tarn:sun", 6), sky = numbersOf(stored, "tarn:sky", 3),
                water = numbersOf(stored, "tarn:water", 5);
     if (sun.empty() || sky.empty() || water.empty()) return;
-    map.light = MapLight{{sun[0], sun[1], sun[2]}, {sun[3], sun[4], sun[5]}, {sky[0], sky[1], sky[2]},
-                         water[0],                 water[1],                 {water[2], water[3], water[4]}};
+    map.light =
+        MapLight{{sun[0], sun[1], sun[2]},      {sun[3], sun[4], sun[5]}, {sky[0], sky[1], sky[2]}, water[0], water[1],
+                 {water[2], water[3], water[4]}};
 }
 
 /// But for the rounding of another machine's sines and cosines.

@@ -1,11 +1,12 @@
-// Maps of heights as pictures: what rays are marched through (src/render/height_maps.h), written out of a scene, or given
-// from outside in the place of what the passes would draw.
+// Maps of heights as pictures: what rays are marched through (src/render/height_maps.h), written out of a scene, or
+// given from outside in the place of what the passes would draw.
 //
-// A map is one EXR file, a square of floats with an edge of 16 to 4096 texels, a power of two, as seen from above: x to the
-// right, z downward. Heights are world y in metres, radiance is linear in kcd/m². Its channels:
+// A map is one EXR file, a square of floats with an edge of 16 to 4096 texels, a power of two, as seen from above: x to
+// the right, z downward. Heights are world y in metres, radiance is linear in kcd/m². Its channels:
 //
 //     bed      height                     the bed's; `lowest` where nothing lies
-//              radiance.R, .G, .B         what the bed sends up without the sun: of the sky under the water, of lamps and
+//              radiance.R, .G, .B         what the bed sends up without the sun: of the sky under the water, of lamps
+//              and
 //                                         of what shines itself (what stands over the level has its sun in it)
 //              response.R, .G, .B         radiance for each unit of the sun's irradiance on a surface that faces it
 //     afloat   underside, top             of what stands over the water; 10000 and -10000 where nothing does, underside
@@ -14,9 +15,9 @@
 //              above.R, .G, .B            radiance seen from straight above, and
 //              below.R, .G, .B            from straight below, the sun and its shadows with it
 //
-// Attributes of the header, all of them text: tarn:centre and tarn:extent (x and z of what it covers, m), tarn:lowest (of a
-// bed), and the light that it was made in: tarn:sun, tarn:sky, tarn:water. A picture from elsewhere may lack them; the
-// scene file then says what it covers.
+// Attributes of the header, all of them text: tarn:centre and tarn:extent (x and z of what it covers, m), tarn:lowest
+// (of a bed), and the light that it was made in: tarn:sun, tarn:sky, tarn:water. A picture from elsewhere may lack
+// them; the scene file then says what it covers.
 #pragma once
 
 #include "base/math.h"
@@ -61,8 +62,8 @@ struct HeightMapPicture {
     std::optional<MapLight> light;             ///< nothing where the file does not say
 };
 
-/// Throws Error, with what to do, for a file that is missing or no picture, not square, not of a power of two, too small
-/// or too large, without one of the channels, or with values that no map can have (NaN, negative radiance).
+/// Throws Error, with what to do, for a file that is missing or no picture, not square, not of a power of two, too
+/// small or too large, without one of the channels, or with values that no map can have (NaN, negative radiance).
 HeightMapPicture readMapPicture(const std::filesystem::path& file, MapKind kind);
 
 /// The file appears whole or not at all. `header`: further attributes.

@@ -6,11 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr std::size_t trianglesPerChunk = 1024;
 
@@ -36,14 +34,13 @@ std::int32_t handOf(const MeshSource& source, const Corner* corners)
 template <typename T> void mergeEqual(std::vector<std::uint32_t>& indices, std::vector<T>& elements)
 {
     std::vector<std::uint32_t> remap(elements.size());
-    const std::size_t count = meshopt_generateVertexRemap(
-        remap.data(), indices.empty() ? nullptr : indices.data(),
-        indices.empty() ? elements.size() : indices.size(), elements.data(), elements.size(), sizeof(T));
+    const std::size_t count = meshopt_generateVertexRemap(remap.data(), indices.empty() ? nullptr : indices.data(),
+                                                          indices.empty() ? elements.size() : indices.size(),
+                                                          elements.data(), elements.size(), sizeof(T));
     if (indices.empty()) {
         indices = remap;
     } else {
-        for (std::uint32_t& index : indices)
-            index = remap[index];
+        for (std::uint32_t& index : indices) index = remap[index];
     }
     std::vector<T> merged(count);
     for (std::size_t i = 0; i < elements.size(); ++i)
@@ -69,14 +66,12 @@ void weldVertices(const MeshSource& source, Mesh& mesh)
     keys.reserve(source.corners.size());
     for (std::size_t i = 0; i + 2 < source.corners.size(); i += 3) {
         const std::int32_t hand = handOf(source, &source.corners[i]);
-        for (std::size_t k = 0; k < 3; ++k)
-            keys.push_back({source.corners[i + k], hand});
+        for (std::size_t k = 0; k < 3; ++k) keys.push_back({source.corners[i + k], hand});
     }
     mergeEqual(mesh.indices, keys); // by index first: small keys, and most duplicates are found here
 
     mesh.vertices.reserve(keys.size());
-    for (const VertexKey& key : keys)
-        mesh.vertices.push_back(vertexOf(source, key));
+    for (const VertexKey& key : keys) mesh.vertices.push_back(vertexOf(source, key));
     mergeEqual(mesh.indices, mesh.vertices); // by value: files that repeat every record for every face
 }
 
@@ -92,15 +87,13 @@ void computeTangents(Mesh& mesh)
 {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         Vertex* v[3];
-        for (std::size_t k = 0; k < 3; ++k)
-            v[k] = &mesh.vertices[mesh.indices[i + k]];
+        for (std::size_t k = 0; k < 3; ++k) v[k] = &mesh.vertices[mesh.indices[i + k]];
         const vec3 e1 = v[1]->position - v[0]->position, e2 = v[2]->position - v[0]->position;
         const vec2 d1 = v[1]->uv - v[0]->uv, d2 = v[2]->uv - v[0]->uv;
         // Divided by the determinant's sign only: the length then weighs a triangle by its size.
         const float sign = d1.x * d2.y - d1.y * d2.x < 0.0f ? -1.0f : 1.0f;
         const vec3 along = sign * (e1 * d2.y - e2 * d1.y);
-        for (Vertex* vertex : v)
-            vertex->tangent += vec4(along, 0.0f);
+        for (Vertex* vertex : v) vertex->tangent += vec4(along, 0.0f);
     }
     for (Vertex& vertex : mesh.vertices) {
         vec3 along(vertex.tangent);
@@ -112,8 +105,7 @@ void computeTangents(Mesh& mesh)
 }
 
 /// Splits triangles where their middles lie farthest apart, at the median, until chunks are small enough.
-class Chunker
-{
+class Chunker {
 public:
     explicit Chunker(std::vector<vec3> middles) : middles_(std::move(middles)) {}
 
@@ -123,14 +115,12 @@ public:
         const auto count = static_cast<std::size_t>(end - begin);
         if (count <= trianglesPerChunk) return done(begin, end);
         Bounds bounds;
-        for (const auto* at = begin; at != end; ++at)
-            bounds.add(middles_[*at]);
+        for (const auto* at = begin; at != end; ++at) bounds.add(middles_[*at]);
         const vec3 extent = bounds.extent();
         const int axis = extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
         auto* middle = begin + count / 2;
-        std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b) {
-            return middles_[a][axis] < middles_[b][axis];
-        });
+        std::nth_element(begin, middle, end,
+                         [&](std::uint32_t a, std::uint32_t b) { return middles_[a][axis] < middles_[b][axis]; });
         split(begin, middle, done);
         split(middle, end, done);
     }
@@ -144,8 +134,7 @@ std::vector<vec3> triangleMiddles(const Mesh& mesh)
     std::vector<vec3> middles(mesh.indices.size() / 3);
     for (std::size_t i = 0; i < middles.size(); ++i) {
         vec3 sum(0.0f);
-        for (std::size_t k = 0; k < 3; ++k)
-            sum += mesh.vertices[mesh.indices[3 * i + k]].position;
+        for (std::size_t k = 0; k < 3; ++k) sum += mesh.vertices[mesh.indices[3 * i + k]].position;
         middles[i] = sum / 3.0f;
     }
     return middles;
@@ -153,8 +142,7 @@ std::vector<vec3> triangleMiddles(const Mesh& mesh)
 
 /// Orders one chunk's triangles for the vertex cache. meshoptimizer's work grows with the number of vertices
 /// that it is told of, so the chunk is numbered on its own.
-class CacheOptimiser
-{
+class CacheOptimiser {
 public:
     explicit CacheOptimiser(std::size_t vertexCount) : localOf_(vertexCount, unused) {}
 
@@ -171,10 +159,8 @@ public:
             local_[i] = local;
         }
         meshopt_optimizeVertexCache(local_.data(), local_.data(), count, global_.size());
-        for (std::size_t i = 0; i < count; ++i)
-            indices[i] = global_[local_[i]];
-        for (const std::uint32_t vertex : global_)
-            localOf_[vertex] = unused;
+        for (std::size_t i = 0; i < count; ++i) indices[i] = global_[local_[i]];
+        for (const std::uint32_t vertex : global_) localOf_[vertex] = unused;
     }
 
 private:
@@ -221,8 +207,7 @@ void chunkByMaterial(const MeshSource& source, Mesh& mesh)
     for (std::size_t begin = 0; begin < order.size();) {
         const int material = source.faces[order[begin]].material;
         std::size_t end = begin;
-        while (end < order.size() && source.faces[order[end]].material == material)
-            ++end;
+        while (end < order.size() && source.faces[order[end]].material == material) ++end;
         chunker.split(order.data() + begin, order.data() + end,
                       [&](const std::uint32_t* first, const std::uint32_t* last) {
                           addPart(mesh, cache, ordered, material, first, last);
@@ -242,9 +227,8 @@ Mesh buildMesh(const MeshSource& source, std::string name)
     weldVertices(source, mesh);
     computeTangents(mesh);
     chunkByMaterial(source, mesh);
-    const std::size_t used =
-        meshopt_optimizeVertexFetch(mesh.vertices.data(), mesh.indices.data(), mesh.indices.size(),
-                                    mesh.vertices.data(), mesh.vertices.size(), sizeof(Vertex));
+    const std::size_t used = meshopt_optimizeVertexFetch(mesh.vertices.data(), mesh.indices.data(), mesh.indices.size(),
+                                                         mesh.vertices.data(), mesh.vertices.size(), sizeof(Vertex));
     mesh.vertices.resize(used);
     return mesh;
 }

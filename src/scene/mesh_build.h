@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Vertices deduplicated, tangents computed, triangles sorted by material and split into compact chunks
 /// (MeshPart) of at most 4096, each ordered for the vertex cache and all for fetching (meshoptimizer).

@@ -15,18 +15,18 @@ namespace tarn {
 
 namespace {
 
-constexpr float between = 1.5f; // what lies between the points that are looked at is farther off, by a third as measured
+constexpr float between =
+    1.5f; // what lies between the points that are looked at is farther off, by a third as measured
 constexpr float impossible = std::numeric_limits<float>::infinity();
 
 class Collapser {
 public:
-    Collapser(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices, std::span<const float> metresPerUv,
-              bool locksBorder)
+    Collapser(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
+              std::span<const float> metresPerUv, bool locksBorder)
         : vertices_(vertices), metresPerUv_(metresPerUv), links_(vertices, indices, locksBorder),
           chart_(chartsOf(indices, vertices.size())), isOriginal_(indices.size(), 1), known_(indices.size() / 3, none),
-          nextKnown_(vertices.size(), none),
-          stamp_(links_.places()), isDirty_(links_.places()), isLocked_(links_.places()), isQueued_(links_.places()), seen_(links_.places()),
-          isAround_(links_.places())
+          nextKnown_(vertices.size(), none), stamp_(links_.places()), isDirty_(links_.places()),
+          isLocked_(links_.places()), isQueued_(links_.places()), seen_(links_.places()), isAround_(links_.places())
     {
         if (locksBorder) lockBorders();
     }
@@ -86,7 +86,7 @@ private:
         vec3 place;
         std::uint32_t id; ///< a vertex, or after these the middle of an edge; none: a middle that has no number yet
         std::uint32_t chart;
-        bool isHere; ///< a vertex of the place that was gathered
+        bool isHere;         ///< a vertex of the place that was gathered
         std::uint32_t spoke; ///< where to look first
     };
 
@@ -119,7 +119,8 @@ private:
             const Spoke spoke = spokeAt(corner);
             const auto isIt = [&](const Spoke& s) { return s.vertex == spoke.vertex; };
             if (std::none_of(ring_.begin(), ring_.end(), isIt))
-                witnesses_.push_back({at(spoke.vertex), spoke.vertex, none, true, static_cast<std::uint32_t>(ring_.size())});
+                witnesses_.push_back(
+                    {at(spoke.vertex), spoke.vertex, none, true, static_cast<std::uint32_t>(ring_.size())});
             meet(spoke.placeB);
             meet(spoke.placeC);
             ring_.push_back(spoke);
@@ -203,8 +204,8 @@ private:
         for (std::size_t i = 0; i < around_.size(); ++i) around_[i] = promises_[i].second;
     }
 
-    /// What a candidate costs that was ranked with the same triangles around it. Where the place is one vertex, only what it
-    /// is drawn into may have changed, and that matters to the topology alone.
+    /// What a candidate costs that was ranked with the same triangles around it. Where the place is one vertex, only
+    /// what it is drawn into may have changed, and that matters to the topology alone.
     float costNow(const Candidate& candidate)
     {
         gather(candidate.place);
@@ -212,8 +213,8 @@ private:
         return keepsTopology(candidate.into) && turnTo(candidate.into) ? candidate.cost : impossible;
     }
 
-    /// Which vertex of the place `into` stands in for a vertex of the place that was gathered: the one across their common
-    /// edge, else the most alike of those there.
+    /// Which vertex of the place `into` stands in for a vertex of the place that was gathered: the one across their
+    /// common edge, else the most alike of those there.
     std::uint32_t standIn(std::uint32_t vertex, std::uint32_t into) const
     {
         for (const Spoke& spoke : ring_)
@@ -236,7 +237,8 @@ private:
         for (Spoke& spoke : ring_) {
             spoke.vanishes = spoke.placeB == into || spoke.placeC == into;
             if (spoke.vanishes) continue;
-            const auto same = std::find_if(ring_.data(), &spoke, [&](const Spoke& s) { return !s.vanishes && s.vertex == spoke.vertex; });
+            const auto same = std::find_if(ring_.data(), &spoke,
+                                           [&](const Spoke& s) { return !s.vanishes && s.vertex == spoke.vertex; });
             spoke.standIn = same != &spoke ? same->standIn : standIn(spoke.vertex, into);
             spoke.atStandIn = at(spoke.standIn);
             spoke.turned = glm::cross(spoke.atB - spoke.atStandIn, spoke.atC - spoke.atStandIn);
@@ -272,7 +274,8 @@ private:
         return std::max(distance, seemingShift(vertices_[witness.id], shown, w, metresPerUv_[witness.id]));
     }
 
-    /// How much is missed when the place that was gathered is drawn into another, m; infinite when the surface would fold.
+    /// How much is missed when the place that was gathered is drawn into another, m; infinite when the surface would
+    /// fold.
     /// @param most what is too much anyway
     float costOf(std::uint32_t into, float most)
     {
@@ -280,7 +283,7 @@ private:
         float cost = ignored_;
         for (Witness& witness : witnesses_) {
             const float least = leastMissed(witness, cost, most);
-            if (least >= most) { // also where nothing is left
+            if (least >= most) {                        // also where nothing is left
                 std::swap(witness, witnesses_.front()); // what rules out one neighbour may well rule out the next
                 return impossible;
             }
@@ -336,8 +339,10 @@ private:
         std::size_t vanished = 0;
         for (const Spoke& spoke : ring_) {
             isOriginal_[spoke.corner] = isOriginal_[MeshLinks::before(spoke.corner)] = 0;
-            if (spoke.vanishes) links_.drop(spoke.triangle()), ++vanished;
-            else links_.setVertex(spoke.corner, spoke.standIn);
+            if (spoke.vanishes)
+                links_.drop(spoke.triangle()), ++vanished;
+            else
+                links_.setVertex(spoke.corner, spoke.standIn);
         }
         links_.append(place, into);
         ++stamp_[place];
@@ -349,7 +354,8 @@ private:
     /// Where a witness is missed least.
     const Spoke& showing(const Witness& witness) const
     {
-        const bool isShown = std::any_of(ring_.begin(), ring_.end(), [&](const Spoke& s) { return mayShow(witness, s); });
+        const bool isShown =
+            std::any_of(ring_.begin(), ring_.end(), [&](const Spoke& s) { return mayShow(witness, s); });
         const Spoke* nearest = nullptr;
         float least = impossible;
         for (const Spoke& spoke : ring_) {
@@ -378,11 +384,11 @@ private:
     std::span<const Vertex> vertices_;
     std::span<const float> metresPerUv_;
     MeshLinks links_;
-    std::vector<std::uint32_t> chart_; ///< of each triangle
-    std::vector<vec3> middles_;        ///< of edges that are no more
-    std::vector<char> isOriginal_;     ///< the edge from a corner to the next
+    std::vector<std::uint32_t> chart_;             ///< of each triangle
+    std::vector<vec3> middles_;                    ///< of edges that are no more
+    std::vector<char> isOriginal_;                 ///< the edge from a corner to the next
     std::vector<std::uint32_t> known_, nextKnown_; ///< what of the original lies at a triangle: chains of witnesses
-    std::vector<std::uint32_t> stamp_; ///< of a place's latest candidate
+    std::vector<std::uint32_t> stamp_;             ///< of a place's latest candidate
     std::vector<char> isDirty_, isLocked_, isQueued_;
     std::vector<std::uint32_t> seen_, isAround_; ///< in which glance, in which turn
     std::uint32_t turn_ = 0, glance_ = 0;

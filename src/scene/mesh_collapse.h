@@ -10,14 +10,15 @@
 namespace tarn {
 
 struct Collapsed {
-    std::vector<std::uint32_t> indices; ///< of the same vertices; more than wanted where none can go without folding the surface
-    float worst = 0.0f;                 ///< what is missed most, m: no part of the surface lies farther off
+    std::vector<std::uint32_t>
+        indices;        ///< of the same vertices; more than wanted where none can go without folding the surface
+    float worst = 0.0f; ///< what is missed most, m: no part of the surface lies farther off
 };
 
-/// Half-edge collapses. What has gone is remembered with the triangle that lies there now (Klein, Liebich & Straßer 1996),
-/// and each collapse is judged by all that it moves: how far that lies from the triangles that take its place, and how much
-/// colour, normal and texture of vertices differ there (vertex_shift.h). Where borders are kept, vertices at one place with
-/// different normals or texture coordinates go together.
+/// Half-edge collapses. What has gone is remembered with the triangle that lies there now (Klein, Liebich & Straßer
+/// 1996), and each collapse is judged by all that it moves: how far that lies from the triangles that take its place,
+/// and how much colour, normal and texture of vertices differ there (vertex_shift.h). Where borders are kept, vertices
+/// at one place with different normals or texture coordinates go together.
 /// @param vertices those of the piece only   @param indices its triangles
 /// @param locksBorder keep every edge that has no second triangle
 /// @param metresPerUv of the texture at each vertex

@@ -8,7 +8,7 @@ namespace tarn {
 
 namespace {
 
-constexpr float worthwhile = 0.75f;          // of the triangles must do for a node to be kept
+constexpr float worthwhile = 0.75f;           // of the triangles must do for a node to be kept
 constexpr std::uint32_t fewestTriangles = 64; // a draw call costs as much
 
 /// The nodes of one mesh while they are made.
@@ -41,13 +41,16 @@ private:
     {
         const std::size_t pairs = level.size() / 2;
         std::vector<Simplified> made(pairs);
-        tbb::parallel_for(std::size_t{0}, pairs,
-                          [&](std::size_t i) { made[i] = coarser({level[2 * i], level[2 * i + 1]}); });
+        tbb::parallel_for(std::size_t{0}, pairs, [&](std::size_t i) {
+            made[i] = coarser({level[2 * i], level[2 * i + 1]});
+        });
         std::vector<int> next;
         for (std::size_t i = 0; i < pairs; ++i) {
             const std::array<int, 2> finer{level[2 * i], level[2 * i + 1]};
-            if (const int node = added(finer, std::move(made[i])); node >= 0) next.push_back(node);
-            else detail_.roots.insert(detail_.roots.end(), finer.begin(), finer.end());
+            if (const int node = added(finer, std::move(made[i])); node >= 0)
+                next.push_back(node);
+            else
+                detail_.roots.insert(detail_.roots.end(), finer.begin(), finer.end());
         }
         if (level.size() % 2 == 1) next.push_back(level.back());
         return next;

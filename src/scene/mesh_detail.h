@@ -1,8 +1,9 @@
 // Levels of detail of a mesh: the same surface with fewer triangles, and how far off it is.
 //
-// Chunks that lie side by side (mesh_build.h) are put together two by two and made half as many triangles (mesh_collapse.h),
-// until one is left; that is halved on its own. What borders on other chunks stays as it is, so that any two levels meet
-// without a crack. A renderer goes down from the coarsest nodes and draws the first that is accurate enough.
+// Chunks that lie side by side (mesh_build.h) are put together two by two and made half as many triangles
+// (mesh_collapse.h), until one is left; that is halved on its own. What borders on other chunks stays as it is, so that
+// any two levels meet without a crack. A renderer goes down from the coarsest nodes and draws the first that is
+// accurate enough.
 #pragma once
 
 #include "scene/scene.h"

@@ -15,8 +15,8 @@ namespace {
 struct Piece {
     std::vector<Vertex> vertices;
     std::vector<vec3> positions;
-    std::vector<float> metresPerUv;        ///< of the texture at each vertex
-    std::vector<std::uint32_t> vertexOf;   ///< of the mesh
+    std::vector<float> metresPerUv;      ///< of the texture at each vertex
+    std::vector<std::uint32_t> vertexOf; ///< of the mesh
     std::vector<std::uint32_t> indices;
 };
 
@@ -67,7 +67,8 @@ Simplified halved(const Mesh& mesh, std::span<const std::uint32_t> indices, bool
         collapse(piece.vertices, piece.indices, piece.metresPerUv, 2 * triangles / 3, triangles / 2, locksBorder);
     result.error = collapsed.worst;
     result.indices.resize(collapsed.indices.size());
-    meshopt_optimizeVertexCache(result.indices.data(), collapsed.indices.data(), result.indices.size(), piece.vertices.size());
+    meshopt_optimizeVertexCache(result.indices.data(), collapsed.indices.data(), result.indices.size(),
+                                piece.vertices.size());
     for (std::uint32_t& index : result.indices) index = piece.vertexOf[index];
     return result;
 }

@@ -27,9 +27,10 @@ MeshLinks::MeshLinks(std::span<const Vertex> vertices, std::span<const std::uint
     if (isOneSurface) known.reserve(vertices.size());
     place_.reserve(vertices.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i)
-        place_.push_back(isOneSurface
-                             ? known.try_emplace(vertices[i].position, static_cast<std::uint32_t>(known.size())).first->second
-                             : i);
+        place_.push_back(
+            isOneSurface
+                ? known.try_emplace(vertices[i].position, static_cast<std::uint32_t>(known.size())).first->second
+                : i);
     const std::size_t places = isOneSurface ? known.size() : vertices.size();
     first_.assign(places, none);
     count_.assign(places, 0);

@@ -42,13 +42,14 @@ public:
 private:
     void unlink(std::uint32_t corner);
 
-    std::vector<std::uint32_t> corners_; ///< vertices; none first: the triangle is gone
-    std::vector<std::uint32_t> place_;   ///< of each vertex
+    std::vector<std::uint32_t> corners_;       ///< vertices; none first: the triangle is gone
+    std::vector<std::uint32_t> place_;         ///< of each vertex
     std::vector<std::uint32_t> first_, count_; ///< of each place
-    std::vector<std::uint32_t> next_;    ///< of each corner
+    std::vector<std::uint32_t> next_;          ///< of each corner
 };
 
-/// For each triangle a number that all that share vertices with it have in common: what a texture is laid on in one piece.
+/// For each triangle a number that all that share vertices with it have in common: what a texture is laid on in one
+/// piece.
 std::vector<std::uint32_t> chartsOf(std::span<const std::uint32_t> indices, std::size_t vertices);
 
 } // namespace tarn

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 using Face = MeshSource::Face;
 
@@ -36,8 +34,7 @@ vec3 unitOr(const vec3& v, const vec3& fallback)
 constexpr vec3 upward{0.0f, 1.0f, 0.0f};
 
 /// The sums of normals at each vertex, one per smoothing group: chains from vertex to group.
-class SmoothNormals
-{
+class SmoothNormals {
 public:
     explicit SmoothNormals(MeshSource& source) : source_(source), first_(source.positions.size(), -1) {}
 
@@ -120,16 +117,13 @@ void computeNormals(MeshSource& source)
                 unitOr(normal, vec3(0.0f)) * cornerAngle(source, face, i);
         }
     }
-    for (std::size_t i = given; i < source.normals.size(); ++i)
-        source.normals[i] = unitOr(source.normals[i], upward);
+    for (std::size_t i = given; i < source.normals.size(); ++i) source.normals[i] = unitOr(source.normals[i], upward);
 }
 
-namespace
-{
+namespace {
 
 /// Ear clipping in the plane that the polygon covers best.
-class EarClipper
-{
+class EarClipper {
 public:
     EarClipper(const MeshSource& source, std::vector<Corner>& out) : source_(source), out_(out) {}
 
@@ -204,8 +198,7 @@ private:
 
     void emit(std::size_t a, std::size_t b, std::size_t c)
     {
-        for (const std::size_t i : {a, b, c})
-            out_.push_back(source_.corners[ring_[i].corner]);
+        for (const std::size_t i : {a, b, c}) out_.push_back(source_.corners[ring_[i].corner]);
     }
 
     const MeshSource& source_;

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 struct Corner {
     std::int32_t position = -1, uv = -1, normal = -1; ///< -1: none

@@ -12,11 +12,9 @@
 #include <optional>
 #include <sstream>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// One map statement: tinyobjloader takes the file name of "-s 2 2 wall.png" for a number, so these are read
 /// here.
@@ -79,8 +77,7 @@ MapStatement parseMap(std::string_view rest, std::size_t line)
 }
 
 /// Reads what tinyobjloader would not, and comments out what it must not see.
-class MtlScanner
-{
+class MtlScanner {
 public:
     MtlScanner(std::string& text, FileWarnings& warnings) : text_(text), warnings_(warnings) {}
 
@@ -125,8 +122,7 @@ private:
 
     static bool isMap(std::string_view word)
     {
-        return word.starts_with("map_") || word == "bump" || word == "norm" || word == "disp" ||
-               word == "refl";
+        return word.starts_with("map_") || word == "bump" || word == "norm" || word == "disp" || word == "refl";
     }
 
     bool checkNumbers(std::string_view word, std::string_view rest)
@@ -159,8 +155,7 @@ private:
 
     void drop(std::size_t begin)
     {
-        while (isBlank(text_[begin]))
-            ++begin;
+        while (isBlank(text_[begin])) ++begin;
         text_[begin] = '#';
     }
 
@@ -190,12 +185,11 @@ Material convert(const tinyobj::material_t& source)
 }
 
 /// Asks for the pictures of a material and fills in what it leaves open beside them.
-void applyMaps(Material& material, const MaterialMaps& maps, const std::filesystem::path& file,
-               TextureQueue& textures)
+void applyMaps(Material& material, const MaterialMaps& maps, const std::filesystem::path& file, TextureQueue& textures)
 {
     const auto request = [&](const MapStatement& map, TextureUse use, float bumpScale = 0.0f) {
-        return textures.request(file.parent_path() / map.file, use,
-                                fmt::format("{}:{}", file.string(), map.line), bumpScale);
+        return textures.request(file.parent_path() / map.file, use, fmt::format("{}:{}", file.string(), map.line),
+                                bumpScale);
     };
     if (!maps.hasDiffuse) material.diffuse = maps.diffuse ? vec3(1.0f) : Material().diffuse;
     if (maps.emissive && material.emissive == vec3(0.0f)) material.emissive = vec3(1.0f);

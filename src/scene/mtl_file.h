@@ -8,15 +8,13 @@
 #include <map>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Index into Scene::materials by name; the first of a name wins.
 using MaterialNames = std::map<std::string, int>;
 
 /// The MTL files of a scene, each read once however many models name it.
-class MtlLibrary
-{
+class MtlLibrary {
 public:
     MtlLibrary(Scene& scene, TextureQueue& textures) : scene_(scene), textures_(textures) {}
 

@@ -13,17 +13,14 @@
 #include <istream>
 #include <streambuf>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 namespace fs = std::filesystem;
 
 /// Reads from memory that stays where it is.
-class MemoryStream : private std::streambuf, public std::istream
-{
+class MemoryStream : private std::streambuf, public std::istream {
 public:
     explicit MemoryStream(std::string& text) : std::istream(static_cast<std::streambuf*>(this))
     {
@@ -41,8 +38,7 @@ void readLibrary(const fs::path& objFile, const ObjScan::Library& library, MtlLi
     if (!fs::exists(objFile.parent_path() / library.name, error)) {
         std::vector<std::string> words;
         std::string_view rest = library.name;
-        for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest))
-            words.emplace_back(word);
+        for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest)) words.emplace_back(word);
         if (words.size() > 1 && fs::exists(objFile.parent_path() / words.front(), error)) fileNames = words;
     }
     for (const std::string& name : fileNames) {
@@ -50,15 +46,13 @@ void readLibrary(const fs::path& objFile, const ObjScan::Library& library, MtlLi
             const MaterialNames& names = libraries.materialsOf(objFile.parent_path() / name);
             indexOf.insert(names.begin(), names.end()); // keeps the first of a name
         } catch (const Error& problem) {
-            log::warning("{}:{}: {}; its materials are drawn grey", objFile.string(), library.line,
-                         problem.what());
+            log::warning("{}:{}: {}; its materials are drawn grey", objFile.string(), library.line, problem.what());
         }
     }
 }
 
 /// Collects what tinyobjloader reads.
-class Collector
-{
+class Collector {
 public:
     Collector(const ObjScan& scan, const MaterialNames& materials, int fallback)
         : scan_(scan), materials_(materials), fallback_(fallback), material_(fallback)
@@ -87,9 +81,7 @@ public:
         c.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
             static_cast<Collector*>(self)->addFace(indices, count);
         };
-        c.usemtl_cb = [](void* self, const char* name, int) {
-            static_cast<Collector*>(self)->useMaterial(name);
-        };
+        c.usemtl_cb = [](void* self, const char* name, int) { static_cast<Collector*>(self)->useMaterial(name); };
         return c;
     }
 
@@ -157,8 +149,7 @@ void ObjFile::findMaterials(MtlLibrary& libraries, int material)
         fallback_ = material;
         return;
     }
-    for (const auto& library : scan_.libraries)
-        readLibrary(file_, library, libraries, indexOf_);
+    for (const auto& library : scan_.libraries) readLibrary(file_, library, libraries, indexOf_);
     warnOfUnknown(scan_, indexOf_, file_);
 }
 

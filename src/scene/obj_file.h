@@ -8,17 +8,15 @@
 #include <filesystem>
 #include <limits>
 
-namespace tarn
-{
+namespace tarn {
 
 /// MeshPart::material of faces whose own is missing, until addGrey() has given them one.
 inline constexpr int missingMaterial = std::numeric_limits<int>::max();
 
 /// A mesh in three steps, all of them once and in this order. The first and the last take the time, and may run beside
-/// those of other files: they touch nothing else. Records that cannot be used are left out with a warning that names file
-/// and line.
-class ObjFile
-{
+/// those of other files: they touch nothing else. Records that cannot be used are left out with a warning that names
+/// file and line.
+class ObjFile {
 public:
     /// Reads and checks the text. Throws Error when that cannot be read or has no faces.
     explicit ObjFile(const std::filesystem::path& file);

@@ -11,18 +11,15 @@
 #include <cstring>
 #include <optional>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 struct LineSpan {
     std::size_t begin, end, number;
 };
 
-class Scanner
-{
+class Scanner {
 public:
     Scanner(std::string text, const std::filesystem::path& file) : file_(file.string()), warnings_(file_)
     {
@@ -42,8 +39,7 @@ public:
             begin = line.end + 1;
             number += 1 + joined;
         }
-        for (const auto& face : forward_)
-            checkFace(face.line, face.counts, true);
+        for (const auto& face : forward_) checkFace(face.line, face.counts, true);
         if (result_.faces == 0 || result_.vertices == 0)
             throw Error("{}: nothing to draw, no usable face; is this a Wavefront OBJ file?", file_);
         return std::move(result_);
@@ -71,8 +67,7 @@ private:
         auto& text = result_.text;
         for (;;) {
             std::size_t last = line.end;
-            while (last > line.begin && isBlank(text[last - 1]))
-                --last;
+            while (last > line.begin && isBlank(text[last - 1])) --last;
             if (last == line.begin || text[last - 1] != '\\' || line.end >= text.size()) return joined;
             text[last - 1] = ' ';
             text[line.end] = ' ';
@@ -110,8 +105,7 @@ private:
             result_.libraries.push_back({std::string(trimBlanks(rest)), line.number});
             drop(line);
         } else {
-            if (!isHarmless(word))
-                warn(line, fmt::format("'{}' is not understood and left out", printable(word)));
+            if (!isHarmless(word)) warn(line, fmt::format("'{}' is not understood and left out", printable(word)));
             drop(line);
         }
     }
@@ -142,8 +136,7 @@ private:
     void drop(const LineSpan& line)
     {
         std::size_t first = line.begin;
-        while (isBlank(result_.text[first]))
-            ++first;
+        while (isBlank(result_.text[first])) ++first;
         result_.text[first] = '#';
     }
 
@@ -183,8 +176,7 @@ private:
 
     void colour(std::size_t index, std::string_view rest, int count)
     {
-        for (int i = 0; i < count - 3; ++i)
-            nextWord(rest); // x y z, or x y z w
+        for (int i = 0; i < count - 3; ++i) nextWord(rest); // x y z, or x y z w
         std::uint32_t rgba = 0xff000000u;
         for (unsigned shift = 0; shift < 24; shift += 8) {
             float value = 1.0f;
@@ -259,8 +251,7 @@ private:
     bool isBadVertex(long index, std::size_t count) const
     {
         if (bad_.empty()) return false;
-        const auto position =
-            static_cast<std::size_t>(index > 0 ? index - 1 : static_cast<long>(count) + index);
+        const auto position = static_cast<std::size_t>(index > 0 ? index - 1 : static_cast<long>(count) + index);
         return position < bad_.size() && bad_[position];
     }
 
@@ -276,8 +267,7 @@ private:
             if (check.state == IndexCheck::bad) return rejectFace(line, check.problem, atEnd);
             later |= check.state == IndexCheck::later;
         }
-        if (corners < 3)
-            return rejectFace(line, fmt::format("{} corners instead of 3 or more", corners), atEnd);
+        if (corners < 3) return rejectFace(line, fmt::format("{} corners instead of 3 or more", corners), atEnd);
         if (later) forward_.push_back({line, counts});
         if (!atEnd) ++result_.faces;
     }

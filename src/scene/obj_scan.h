@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 struct ObjScan {
     std::string text; ///< the file, made safe

@@ -4,11 +4,9 @@
 
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// Adds a grid of (columns + 1) × (rows + 1) points, surface(u, v) over 0..1, facing where u × v points.
 template <typename Surface>
@@ -28,9 +26,7 @@ void addGrid(MeshSource& source, int columns, int rows, int material, const Surf
     };
     const auto add = [&](const Corner& a, const Corner& b, const Corner& c) {
         // At a sphere's poles one side of the quad is a point.
-        const auto at = [&](const Corner& k) {
-            return source.positions[static_cast<std::size_t>(k.position)];
-        };
+        const auto at = [&](const Corner& k) { return source.positions[static_cast<std::size_t>(k.position)]; };
         if (at(a) == at(b) || at(b) == at(c) || at(c) == at(a)) return;
         source.faces.push_back({static_cast<std::uint32_t>(source.corners.size()), 3, material, 0});
         source.corners.insert(source.corners.end(), {a, b, c});
@@ -46,8 +42,8 @@ void addGrid(MeshSource& source, int columns, int rows, int material, const Surf
 }
 
 /// A flat rectangle around `centre`, spanned by full edge vectors.
-void addRectangle(MeshSource& source, const Primitive& primitive, int segments, const vec3& centre,
-                  const vec3& edgeU, const vec3& edgeV)
+void addRectangle(MeshSource& source, const Primitive& primitive, int segments, const vec3& centre, const vec3& edgeU,
+                  const vec3& edgeV)
 {
     const vec3 normal = glm::normalize(glm::cross(edgeU, edgeV));
     addGrid(source, segments, segments, primitive.material, [&](const vec2& uv) {
@@ -59,8 +55,7 @@ void addRectangle(MeshSource& source, const Primitive& primitive, int segments, 
 
 void addBox(MeshSource& source, const Primitive& primitive)
 {
-    const vec3 x(primitive.size.x, 0.0f, 0.0f), y(0.0f, primitive.size.y, 0.0f),
-        z(0.0f, 0.0f, primitive.size.z);
+    const vec3 x(primitive.size.x, 0.0f, 0.0f), y(0.0f, primitive.size.y, 0.0f), z(0.0f, 0.0f, primitive.size.z);
     const int segments = primitive.segments;
     addRectangle(source, primitive, segments, 0.5f * x, -z, y);
     addRectangle(source, primitive, segments, -0.5f * x, z, y);
@@ -98,12 +93,8 @@ Mesh buildPrimitive(const Primitive& primitive)
         addRectangle(source, primitive, primitive.segments, vec3(0.0f), vec3(primitive.size.x, 0.0f, 0.0f),
                      vec3(0.0f, 0.0f, -primitive.size.z));
         break;
-    case Primitive::Kind::box:
-        addBox(source, primitive);
-        break;
-    case Primitive::Kind::sphere:
-        addSphere(source, primitive);
-        break;
+    case Primitive::Kind::box: addBox(source, primitive); break;
+    case Primitive::Kind::sphere: addSphere(source, primitive); break;
     }
     return buildMesh(source, primitive.name);
 }

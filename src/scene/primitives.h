@@ -3,8 +3,7 @@
 
 #include "scene/scene.h"
 
-namespace tarn
-{
+namespace tarn {
 
 /// Centred on the origin, of primitive.size, with normals, texture coordinates (times uvScale) and tangents.
 /// A plane lies in xz and faces +y, u along +x, v along -z; a box shows each face upright from outside; on a

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace tarn
-{
+namespace tarn {
 
 void visit(FieldVisitor& v, WaterBody& water)
 {
@@ -12,14 +11,14 @@ void visit(FieldVisitor& v, WaterBody& water)
     v.field({"centre", "Middle of the water's rectangle, x and z", "m", -1e6, 1e6}, water.centre);
     v.field({"extent", "Edge lengths of the water's rectangle, x and z", "m", 1e-3, 1e6}, water.extent);
     v.field({"ior", "Index of refraction relative to air", "", 1.0, 4.0}, water.ior);
-    v.field({"absorption", "Absorption coefficient k for red, green and blue", "1/m", 0.0, 1000.0},
-            water.absorption);
+    v.field({"absorption", "Absorption coefficient k for red, green and blue", "1/m", 0.0, 1000.0}, water.absorption);
     v.field({"colour", "Diffuse reflectance of infinitely deep water", "", 0.0, 1.0}, water.colour);
-    v.field({"normal_map", "Ripples of the scene's normal map on the surface, where it has one"}, water.normalMap.enabled);
+    v.field({"normal_map", "Ripples of the scene's normal map on the surface, where it has one"},
+            water.normalMap.enabled);
     v.field({"normal_map_tile", "Edge of the water that the normal map covers once", "m", 0.001, 10000.0},
             water.normalMap.tile);
-    v.field({"normal_map_bump", "Factor on the upward part of the ripples' normals: 1 plain, 0 steepest (Lipp)", "", 0.0,
-             1.0},
+    v.field({"normal_map_bump", "Factor on the upward part of the ripples' normals: 1 plain, 0 steepest (Lipp)", "",
+             0.0, 1.0},
             water.normalMap.bump);
     v.leave();
 }
@@ -36,13 +35,12 @@ std::array<glm::dvec2, 4> layerOffsets(const WaterNormalMap& map, double time)
 
 const Camera* Scene::findCamera(std::string_view cameraName) const
 {
-    const auto found = std::find_if(cameras.begin(), cameras.end(),
-                                    [&](const Camera& camera) { return camera.name == cameraName; });
+    const auto found =
+        std::find_if(cameras.begin(), cameras.end(), [&](const Camera& camera) { return camera.name == cameraName; });
     return found == cameras.end() ? nullptr : &*found;
 }
 
-namespace
-{
+namespace {
 
 mat4 parentFromElement(const Element& element)
 {
@@ -70,11 +68,9 @@ void flattenInto(std::vector<Instance>& instances, const Scene& scene, const Ele
     const mat4 worldFromElement = worldFromParent * parentFromElement(element);
     if (!element.shape.empty()) {
         if (const int mesh = meshOfShape(scene, element.shape); mesh >= 0)
-            instances.push_back(
-                {mesh, worldFromElement, element.name.empty() ? element.shape : element.name});
+            instances.push_back({mesh, worldFromElement, element.name.empty() ? element.shape : element.name});
     }
-    for (const Element& child : element.children)
-        flattenInto(instances, scene, child, worldFromElement);
+    for (const Element& child : element.children) flattenInto(instances, scene, child, worldFromElement);
 }
 
 } // namespace
@@ -82,8 +78,7 @@ void flattenInto(std::vector<Instance>& instances, const Scene& scene, const Ele
 std::vector<Instance> flatten(const Scene& scene)
 {
     std::vector<Instance> instances;
-    for (const Element& element : scene.elements)
-        flattenInto(instances, scene, element, mat4(1.0f));
+    for (const Element& element : scene.elements) flattenInto(instances, scene, element, mat4(1.0f));
     return instances;
 }
 

@@ -23,8 +23,8 @@ namespace tarn {
 struct Vertex {
     vec3 position;
     vec3 normal;
-    vec4 tangent; ///< xyz along +u, w = ±1: bitangent = w · cross(normal, tangent)
-    vec2 uv;      ///< v runs upward, as in OBJ
+    vec4 tangent;                       ///< xyz along +u, w = ±1: bitangent = w · cross(normal, tangent)
+    vec2 uv;                            ///< v runs upward, as in OBJ
     std::uint32_t colour = 0xffffffffu; ///< RGBA8, linear, multiplies the diffuse reflectance (OBJ "v x y z r g b")
 };
 
@@ -33,13 +33,13 @@ inline constexpr int noImage = -1;
 /// Reflectances are linear. Maps multiply the constants. Image indices point into Scene::images.
 struct Material {
     std::string name;
-    vec3 diffuse{0.8f};      ///< Kd
-    vec3 specular{0.0f};     ///< Ks
-    vec3 transmission{0.0f}; ///< Tf, alpha-tested surfaces only: diffuse transmittance of the thin leaf, as a share
-                             ///< of its diffuse reflectance
-    float shininess = 32.0f; ///< Ns, Blinn-Phong exponent
-    vec3 emissive{0.0f};     ///< Ke, radiance
-    float alpha = 1.0f;      ///< d; below alphaCutoff the surface is not there
+    vec3 diffuse{0.8f};        ///< Kd
+    vec3 specular{0.0f};       ///< Ks
+    vec3 transmission{0.0f};   ///< Tf, alpha-tested surfaces only: diffuse transmittance of the thin leaf, as a share
+                               ///< of its diffuse reflectance
+    float shininess = 32.0f;   ///< Ns, Blinn-Phong exponent
+    vec3 emissive{0.0f};       ///< Ke, radiance
+    float alpha = 1.0f;        ///< d; below alphaCutoff the surface is not there
     int diffuseMap = noImage;  ///< map_Kd, sRGB; its alpha channel counts as map_d when it has one
     int emissiveMap = noImage; ///< map_Ke, sRGB
     int alphaMap = noImage;    ///< map_d, linear
@@ -91,7 +91,7 @@ struct Element {
     vec3 translation{0.0f};
     vec3 rotation{0.0f}; ///< about x, then y, then z, radians (degrees in files)
     vec3 scale{1.0f};
-    std::string shape;    ///< name of a model or primitive, or empty: only a group
+    std::string shape; ///< name of a model or primitive, or empty: only a group
     bool visible = true;
     std::vector<Element> children;
 };
@@ -106,13 +106,13 @@ struct Sun {
 struct Sky {
     enum class Kind { constant, daylight, picture };
     Kind kind = Kind::daylight;
-    vec3 radiance{1.0f};         ///< constant: its radiance; picture: multiplies it
-    float turbidity = 3.0f;      ///< daylight (Preetham et al. 1999): 2 (clear) to 10 (haze)
-    float groundAlbedo = 0.15f;  ///< daylight: below the horizon, a grey ground lit by sun and sky
-    std::filesystem::path file;  ///< picture: latitude-longitude (2:1) or cube map (4:3 cross, 6:1 or 1:6 strip)
+    vec3 radiance{1.0f};        ///< constant: its radiance; picture: multiplies it
+    float turbidity = 3.0f;     ///< daylight (Preetham et al. 1999): 2 (clear) to 10 (haze)
+    float groundAlbedo = 0.15f; ///< daylight: below the horizon, a grey ground lit by sun and sky
+    std::filesystem::path file; ///< picture: latitude-longitude (2:1) or cube map (4:3 cross, 6:1 or 1:6 strip)
     int image = noImage;
-    float rotation = 0.0f;       ///< picture: about y, radians
-    float lighting = 1.0f;       ///< scales the light it casts on surfaces, not what is seen of it
+    float rotation = 0.0f; ///< picture: about y, radians
+    float lighting = 1.0f; ///< scales the light it casts on surfaces, not what is seen of it
 };
 
 struct PointLight {
@@ -144,8 +144,8 @@ struct WaterNormalMap {
     std::filesystem::path file; ///< as written in the scene file, relative to it
     int image = noImage;        ///< red, green, blue: x, y (up), z; +x to the right and +z upward in the picture
     bool enabled = true;
-    float tile = 2.0f;          ///< edge of the water that the picture covers once, m
-    float bump = 1.0f;          ///< factor on y before the normal is used: 1 plain, 0 steepest
+    float tile = 2.0f; ///< edge of the water that the picture covers once, m
+    float bump = 1.0f; ///< factor on y before the normal is used: 1 plain, 0 steepest
     struct Layer {
         vec2 velocity{0.0f}; ///< of its drift along x and z, m/s
         bool operator==(const Layer&) const = default;
@@ -157,21 +157,21 @@ struct WaterNormalMap {
     bool operator==(const WaterNormalMap&) const = default;
 };
 
-/// What is added to (x, z) / tile for each layer's place in the picture at a time in seconds, 0..1. Layers do not lie upon
-/// each other at time 0.
+/// What is added to (x, z) / tile for each layer's place in the picture at a time in seconds, 0..1. Layers do not lie
+/// upon each other at time 0.
 std::array<glm::dvec2, 4> layerOffsets(const WaterNormalMap& map, double time);
 
 /// A body of water: a horizontal rectangle at `level`. Its defaults are Mihálik 2008, Table 1.
 struct WaterBody {
     bool present = false;
-    float level = 0.0f;      ///< y of the surface at rest, m
-    vec2 centre{0.0f};       ///< of its rectangle, x and z
-    vec2 extent{100.0f};     ///< edge lengths, x and z
-    float ior = 1.33f;       ///< index of refraction, relative to air
-    vec3 absorption{0.5f};   ///< k of eq. 4, 1/m for red, green and blue
+    float level = 0.0f;            ///< y of the surface at rest, m
+    vec2 centre{0.0f};             ///< of its rectangle, x and z
+    vec2 extent{100.0f};           ///< edge lengths, x and z
+    float ior = 1.33f;             ///< index of refraction, relative to air
+    vec3 absorption{0.5f};         ///< k of eq. 4, 1/m for red, green and blue
     vec3 colour{0.0f, 0.2f, 0.1f}; ///< watercol: diffuse reflectance of infinitely deep water. Its radiance inside
                                    ///< the water is colour · (downwelling irradiance under the surface) / π
-    std::vector<Wave> waves; ///< at most 64
+    std::vector<Wave> waves;       ///< at most 64
     WaterNormalMap normalMap;
     bool operator==(const WaterBody&) const = default;
 };
@@ -181,7 +181,7 @@ void visit(FieldVisitor& visitor, WaterBody& water);
 
 /// A map of heights that is given as a picture; without one it is drawn.
 struct GivenMap {
-    std::filesystem::path file; ///< as written in the scene file, relative to it; empty: none
+    std::filesystem::path file;      ///< as written in the scene file, relative to it; empty: none
     vec2 centre{0.0f}, extent{0.0f}; ///< as written there, m: what it covers; zero extent: what its header says
     std::optional<HeightMapPicture> picture;
 };
@@ -215,8 +215,8 @@ struct Scene {
     const Camera* findCamera(std::string_view cameraName) const;
 };
 
-/// Frees the texels of all images; names, sizes and channels stay. For the owner of a scene that is drawn from the graphics
-/// card's memory. What reads texels itself needs the scene whole: another upload, the reference.
+/// Frees the texels of all images; names, sizes and channels stay. For the owner of a scene that is drawn from the
+/// graphics card's memory. What reads texels itself needs the scene whole: another upload, the reference.
 void releaseTexels(Scene& scene);
 
 /// A mesh placed in the world.

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 Camera lookFrom(const char* name, const Bounds& bounds, const vec3& direction, const vec3& up)
 {

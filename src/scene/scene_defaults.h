@@ -3,8 +3,7 @@
 
 #include "scene/scene.h"
 
-namespace tarn
-{
+namespace tarn {
 
 /// "overview", "side" and "top", each with all of the box in view.
 std::vector<Camera> camerasAround(const Bounds& bounds);

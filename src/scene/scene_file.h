@@ -48,10 +48,10 @@
 //     phase = 0.0                    # degrees
 //     period = 0.0                   # s; 0: deep-water dispersion
 //
-//     [maps.bed]                     # the bed's map of heights as a picture, where rays are marched (scene/map_picture.h);
-//     file = "bed.exr"               # (!) absent: it is drawn
-//     centre = [0, 0]                # x, z of what it covers, and
-//     extent = [100, 100]            # edge lengths x, z (or one number), m, > 0: without it as the file's header says
+//     [maps.bed]                     # the bed's map of heights as a picture, where rays are marched
+//     (scene/map_picture.h); file = "bed.exr"               # (!) absent: it is drawn centre = [0, 0]                #
+//     x, z of what it covers, and extent = [100, 100]            # edge lengths x, z (or one number), m, > 0: without
+//     it as the file's header says
 //
 //     [maps.afloat]                  # the same of what stands over the water
 //     file = "afloat.exr"
@@ -68,10 +68,8 @@
 //     emissive_map = "…"
 //     alpha_map = "…"
 //     normal_map = "…"               # tangent space; or
-//     bump_map = "…"                 # a height picture, made into normals: black to white is 2 % of the picture's width
-//     bump_scale = 1.0               # times this
-//     two_sided = false
-//     alpha_cutoff = 0.5             # 0..1
+//     bump_map = "…"                 # a height picture, made into normals: black to white is 2 % of the picture's
+//     width bump_scale = 1.0               # times this two_sided = false alpha_cutoff = 0.5             # 0..1
 //
 //     [[models]]
 //     name = "trees"                 # (!)
@@ -117,8 +115,8 @@
 //     near = 0.1                     # > 0, < far
 //     far = 1000.0
 //
-// A bare OBJ gets its cameras from its bounds, a daylight sky with sun, frame.exposure = 0.1, and water a quarter up its
-// height.
+// A bare OBJ gets its cameras from its bounds, a daylight sky with sun, frame.exposure = 0.1, and water a quarter up
+// its height.
 #pragma once
 
 #include "base/progress.h"

@@ -2,11 +2,9 @@
 
 #include <array>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 // Beyond these a float has lost its millimetres, and a typing error is likelier than a wish.
 constexpr KeyRange metres{-1e6, 1e6, "m"};
@@ -14,10 +12,7 @@ constexpr KeyRange light{0.0, 1e9};
 constexpr KeyRange zeroToOne{0.0, 1.0};
 constexpr KeyRange anyDegrees{-36000.0, 36000.0, "degrees"};
 
-constexpr KeyRange positive(double upper, const char* unit = "")
-{
-    return {0.0, upper, unit, true};
-}
+constexpr KeyRange positive(double upper, const char* unit = "") { return {0.0, upper, unit, true}; }
 
 constexpr std::array skyKinds{"constant", "daylight", "picture"};
 constexpr std::array primitiveKinds{"plane", "box", "sphere"};

@@ -5,8 +5,7 @@
 #include "scene/scene.h"
 #include "scene/table_io.h"
 
-namespace tarn
-{
+namespace tarn {
 
 /// A material's pictures as the file names them.
 struct MaterialFiles {

@@ -21,11 +21,9 @@
 #include <utility>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -42,10 +40,11 @@ int materialIndex(const Scene& scene, const std::string& name)
 }
 
 /// What the models' files give, side by side on every core.
-class ModelFiles
-{
+class ModelFiles {
 public:
-    ModelFiles(const Scene& scene, Progress* progress) : scene_(scene), progress_(progress), states_(scene.models.size()) {}
+    ModelFiles(const Scene& scene, Progress* progress)
+        : scene_(scene), progress_(progress), states_(scene.models.size())
+    {}
 
     void readTexts()
     {
@@ -60,7 +59,8 @@ public:
         for (std::size_t i = 0; i < states_.size(); ++i) {
             const Model& model = scene_.models[i];
             if (states_[i].problem) continue;
-            states_[i].file->findMaterials(libraries, model.material.empty() ? -1 : materialIndex(scene_, model.material));
+            states_[i].file->findMaterials(libraries,
+                                           model.material.empty() ? -1 : materialIndex(scene_, model.material));
         }
     }
 
@@ -154,17 +154,14 @@ void placeEverything(Scene& scene)
         element.shape = shape;
         scene.elements.push_back(std::move(element));
     };
-    for (const Model& model : scene.models)
-        place(model.name);
-    for (const Primitive& primitive : scene.primitives)
-        place(primitive.name);
+    for (const Model& model : scene.models) place(model.name);
+    for (const Primitive& primitive : scene.primitives) place(primitive.name);
 }
 
 void checkSky(Scene& scene)
 {
     if (scene.sky.kind != Sky::Kind::picture || scene.sky.image != noImage) return;
-    log::warning("{}: the sky's picture is missing; the daylight model stands in for it",
-                 scene.file.string());
+    log::warning("{}: the sky's picture is missing; the daylight model stands in for it", scene.file.string());
     scene.sky.kind = Sky::Kind::daylight;
 }
 
@@ -178,8 +175,7 @@ void complete(Scene& scene, TextureQueue& textures, const LoadOptions& options)
     checkSky(scene);
 
     const Bounds bounds = worldBounds(scene);
-    if (bounds.empty())
-        throw Error("{}: nothing to draw, no visible element has a shape", scene.file.string());
+    if (bounds.empty()) throw Error("{}: nothing to draw, no visible element has a shape", scene.file.string());
     if (scene.cameras.empty()) scene.cameras = camerasAround(bounds);
     if (options.waterLevel) {
         if (!scene.water.present) scene.water = waterAcross(bounds, *options.waterLevel);
@@ -199,8 +195,7 @@ Scene loadObjScene(const fs::path& file, const LoadOptions& options)
     scene.models.push_back(model);
 
     Sun sun;
-    sun.direction =
-        glm::normalize(vec3(0.4f, 0.7f, 0.45f)); // 49° high, from behind the overview camera's shoulder
+    sun.direction = glm::normalize(vec3(0.4f, 0.7f, 0.45f)); // 49° high, from behind the overview camera's shoulder
     scene.sun = sun;
     // Daylight is some tens of klx; a tenth brings a grey wall near the middle of the tone curve.
     scene.options.push_back({"frame.exposure", "0.1", file.string()});

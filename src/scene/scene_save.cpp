@@ -9,11 +9,9 @@
 #include <charconv>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -34,46 +32,29 @@ std::string tomlString(std::string_view text)
     return result + '"';
 }
 
-std::string listed(const vec2& v)
-{
-    return fmt::format("[{}, {}]", v.x, v.y);
-}
-std::string listed(const vec3& v)
-{
-    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
-}
+std::string listed(const vec2& v) { return fmt::format("[{}, {}]", v.x, v.y); }
+std::string listed(const vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 /// Degrees with the digits that a float of radians can hold, so that 35° stays 35.
-double degreesOf(float radians)
-{
-    return std::round(glm::degrees(static_cast<double>(radians)) * 1e5) / 1e5;
-}
+double degreesOf(float radians) { return std::round(glm::degrees(static_cast<double>(radians)) * 1e5) / 1e5; }
 
 /// Collects "key = value" lines.
-class TableWriter : public TableIo
-{
+class TableWriter : public TableIo {
 public:
     struct Line {
         std::string key, value;
     };
     std::vector<Line> lines;
 
-    void number(const char* key, float& value, const KeyRange&) override
-    {
-        add(key, fmt::format("{}", value));
-    }
-    void integer(const char* key, int& value, const KeyRange&) override
-    {
-        add(key, fmt::format("{}", value));
-    }
+    void number(const char* key, float& value, const KeyRange&) override { add(key, fmt::format("{}", value)); }
+    void integer(const char* key, int& value, const KeyRange&) override { add(key, fmt::format("{}", value)); }
     void angle(const char* key, float& radians, const KeyRange&) override
     {
         add(key, fmt::format("{}", degreesOf(radians)));
     }
     void angles(const char* key, vec3& radians) override
     {
-        add(key,
-            fmt::format("[{}, {}, {}]", degreesOf(radians.x), degreesOf(radians.y), degreesOf(radians.z)));
+        add(key, fmt::format("[{}, {}, {}]", degreesOf(radians.x), degreesOf(radians.y), degreesOf(radians.z)));
     }
     void vector(const char* key, vec2& value, const KeyRange&) override { add(key, listed(value)); }
     void vector(const char* key, vec3& value, const KeyRange&) override { add(key, listed(value)); }
@@ -91,13 +72,9 @@ private:
     void add(const char* key, std::string value) { lines.push_back({key, std::move(value)}); }
 };
 
-class SceneWriter
-{
+class SceneWriter {
 public:
-    SceneWriter(const Scene& scene, const fs::path& file)
-        : scene_(scene), folder_(fs::absolute(file).parent_path())
-    {
-    }
+    SceneWriter(const Scene& scene, const fs::path& file) : scene_(scene), folder_(fs::absolute(file).parent_path()) {}
 
     std::string write()
     {
@@ -114,14 +91,10 @@ public:
             table("[[models]]", model, Model(), {"name", "file"});
         }
         primitives();
-        for (const Element& element : scene_.elements)
-            elementTree(element, "elements");
-        for (const PointLight& light : scene_.pointLights)
-            table("[[point_lights]]", light, PointLight(), {});
-        for (const SpotLight& light : scene_.spotLights)
-            table("[[spot_lights]]", light, SpotLight(), {});
-        for (const Camera& camera : scene_.cameras)
-            table("[[cameras]]", camera, Camera(), {"name", "eye", "target"});
+        for (const Element& element : scene_.elements) elementTree(element, "elements");
+        for (const PointLight& light : scene_.pointLights) table("[[point_lights]]", light, PointLight(), {});
+        for (const SpotLight& light : scene_.spotLights) table("[[spot_lights]]", light, SpotLight(), {});
+        for (const Camera& camera : scene_.cameras) table("[[cameras]]", camera, Camera(), {"name", "eye", "target"});
         return std::move(out_);
     }
 
@@ -134,14 +107,12 @@ private:
         for (std::size_t i = 0; i < actual.lines.size(); ++i) {
             const auto& line = actual.lines[i];
             const bool must = std::find(always.begin(), always.end(), line.key) != always.end();
-            if (must || line.value != defaults.lines[i].value)
-                out_ += fmt::format("{} = {}\n", line.key, line.value);
+            if (must || line.value != defaults.lines[i].value) out_ += fmt::format("{} = {}\n", line.key, line.value);
         }
     }
 
     template <typename T>
-    void table(const std::string& header, T value, T defaultValue,
-               std::initializer_list<std::string_view> always)
+    void table(const std::string& header, T value, T defaultValue, std::initializer_list<std::string_view> always)
     {
         TableWriter actual, defaults;
         keys(actual, value);
@@ -219,7 +190,7 @@ private:
     {
         if (map.file.empty()) return;
         map.file = rebased(map.file);
-        map.picture.reset(); // it stays in its file
+        map.picture.reset();                                                    // it stays in its file
         if (map.extent == vec2(0.0f)) return table(header, map, map, {"file"}); // no other key was there
         table(header, map, GivenMap(), {"file", "centre", "extent"});
     }
@@ -259,8 +230,7 @@ private:
     void elementTree(const Element& element, const std::string& path)
     {
         table("[[" + path + "]]", element, Element(), {"name"});
-        for (const Element& child : element.children)
-            elementTree(child, path + ".children");
+        for (const Element& child : element.children) elementTree(child, path + ".children");
     }
 
     const Scene& scene_;
@@ -270,9 +240,6 @@ private:
 
 } // namespace
 
-void saveScene(const Scene& scene, const fs::path& file)
-{
-    writeFile(file, SceneWriter(scene, file).write());
-}
+void saveScene(const Scene& scene, const fs::path& file) { writeFile(file, SceneWriter(scene, file).write()); }
 
 } // namespace tarn

@@ -8,16 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr int deepestElement = 64;
 
-class SceneParser
-{
+class SceneParser {
 public:
     SceneParser(const toml::table& root, const std::filesystem::path& file, TextureQueue& textures)
         : root_(root, file.string(), ""), file_(file.string()), textures_(textures)
@@ -119,8 +116,7 @@ private:
         if (sun.automatic) {
             std::string text = "auto";
             io.text("irradiance", text);
-            if (text != "auto")
-                io.fail("irradiance", "must be \"auto\", a number or three, not '" + text + "'");
+            if (text != "auto") io.fail("irradiance", "must be \"auto\", a number or three, not '" + text + "'");
         } else {
             io.uniform("irradiance", sun.irradiance, {0.0, 1e9});
         }
@@ -153,8 +149,7 @@ private:
             keys(io, light);
             io.finish();
             if (!normalise(light.direction)) io.fail("direction", "must not be zero");
-            if (light.innerAngle > light.outerAngle)
-                io.fail("inner_angle", "must not be larger than outer_angle");
+            if (light.innerAngle > light.outerAngle) io.fail("inner_angle", "must not be larger than outer_angle");
         }
     }
 
@@ -232,19 +227,20 @@ private:
             picture.centre = map.centre;
             picture.extent = map.extent;
         } else if (picture.extent == vec2(0.0f)) {
-            io.fail("extent", fmt::format("is missing; {} does not say how many metres it covers", picture.file.string()));
+            io.fail("extent",
+                    fmt::format("is missing; {} does not say how many metres it covers", picture.file.string()));
         }
         const WaterBody& water = scene_.water;
         const vec2 apart = glm::abs(picture.centre - water.centre), reach = 0.5f * (picture.extent + water.extent);
         if (water.present && glm::any(glm::greaterThanEqual(apart, reach)))
-            io.fail("file", fmt::format("covers none of the water: {} by {} m about ({}, {}); give another centre and extent",
-                                        picture.extent.x, picture.extent.y, picture.centre.x, picture.centre.y));
+            io.fail("file",
+                    fmt::format("covers none of the water: {} by {} m about ({}, {}); give another centre and extent",
+                                picture.extent.x, picture.extent.y, picture.centre.x, picture.centre.y));
     }
 
     // ---- shapes
 
-    int request(const std::filesystem::path& picture, TextureUse use, const std::string& origin,
-                float bumpScale = 0.0f)
+    int request(const std::filesystem::path& picture, TextureUse use, const std::string& origin, float bumpScale = 0.0f)
     {
         return textures_.request(scene_.file.parent_path() / picture, use, origin, bumpScale);
     }
@@ -277,8 +273,7 @@ private:
             keys(io, material, files);
             io.finish();
             checkName(io, material.name, materialNames_);
-            const auto map = [&](const std::filesystem::path& picture, TextureUse use, const char* key,
-                                 float scale) {
+            const auto map = [&](const std::filesystem::path& picture, TextureUse use, const char* key, float scale) {
                 return picture.empty() ? noImage : request(picture, use, io.place(key), scale);
             };
             material.diffuseMap = map(files.diffuse, TextureUse::colour, "diffuse_map", 0.0f);
@@ -318,8 +313,7 @@ private:
             io.finish();
             checkName(io, primitive.name, shapeNames_);
             io.require({"kind"});
-            if (primitive.kind == Primitive::Kind::sphere && !table->contains("segments"))
-                primitive.segments = 32;
+            if (primitive.kind == Primitive::Kind::sphere && !table->contains("segments")) primitive.segments = 32;
             checkReference(io, "material", "material", material, materialNames_);
             primitive.material = material.empty() ? greyMaterial() : indexOfMaterial(material);
         }
@@ -348,8 +342,7 @@ private:
 
     void readElements()
     {
-        for (const auto* table : root_.tables("elements"))
-            scene_.elements.push_back(readElement(*table, 1));
+        for (const auto* table : root_.tables("elements")) scene_.elements.push_back(readElement(*table, 1));
     }
 
     Element readElement(const toml::table& table, int depth)
@@ -364,8 +357,7 @@ private:
             io.fail("scale", "must not be zero");
         if (depth == deepestElement && !children.empty())
             throw Error("{}: elements are nested more than {} deep", io.place(), deepestElement);
-        for (const auto* child : children)
-            element.children.push_back(readElement(*child, depth + 1));
+        for (const auto* child : children) element.children.push_back(readElement(*child, depth + 1));
         return element;
     }
 
@@ -413,8 +405,7 @@ Scene parseScene(const std::string& text, const std::filesystem::path& file, Tex
     try {
         root = toml::parse(text);
     } catch (const toml::parse_error& error) {
-        throw Error("{}:{}: not valid TOML: {}", file.string(), error.source().begin.line,
-                    error.description());
+        throw Error("{}:{}: not valid TOML: {}", file.string(), error.source().begin.line, error.description());
     }
     return SceneParser(root, file, textures).parse();
 }

@@ -7,8 +7,7 @@
 
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Throws Error, one line with file, line and key, for anything that the format does not know or allow.
 Scene parseScene(const std::string& text, const std::filesystem::path& file, TextureQueue& textures);

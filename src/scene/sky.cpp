@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr float sunAngularRadius = 0.2665f * pi / 180.0f;
 
@@ -18,8 +16,7 @@ constexpr float sunAngularRadius = 0.2665f * pi / 180.0f;
 /// which the coefficients hold.
 std::array<float, 9> basis(const vec3& n)
 {
-    return {
-        1.0f, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0f * n.z * n.z - 1.0f, n.x * n.z, n.x * n.x - n.y * n.y};
+    return {1.0f, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0f * n.z * n.z - 1.0f, n.x * n.z, n.x * n.x - n.y * n.y};
 }
 
 /// What turns ∫ L(ω) basis_i(ω) dω into the coefficient of irradiance: the squared constant of the harmonic,
@@ -42,8 +39,7 @@ template <typename Visit> void overSphere(int rows, bool upperHalf, Visit visit)
     const float lowest = upperHalf ? 0.0f : -1.0f;
     const float solidAngle = 2.0f * pi * (1.0f - lowest) / static_cast<float>(rows * columns);
     for (int row = 0; row < rows; ++row) {
-        const float y =
-            lowest + (1.0f - lowest) * (static_cast<float>(row) + 0.5f) / static_cast<float>(rows);
+        const float y = lowest + (1.0f - lowest) * (static_cast<float>(row) + 0.5f) / static_cast<float>(rows);
         const float radius = std::sqrt(1.0f - y * y);
         for (int column = 0; column < columns; ++column) {
             const float angle = 2.0f * pi * (static_cast<float>(column) + 0.5f) / static_cast<float>(columns);
@@ -67,9 +63,8 @@ SkyModel::SkyModel(const Scene& scene) : sky_(scene.sky)
 {
     if (scene.sun) {
         sunDirection_ = glm::normalize(scene.sun->direction);
-        sunIrradiance_ = scene.sun->automatic
-                             ? daylight::sunIrradiance(sky_.turbidity, sunDirection_.y)
-                             : scene.sun->irradiance * daylight::discAboveHorizon(sunDirection_.y);
+        sunIrradiance_ = scene.sun->automatic ? daylight::sunIrradiance(sky_.turbidity, sunDirection_.y)
+                                              : scene.sun->irradiance * daylight::discAboveHorizon(sunDirection_.y);
     }
     if (sky_.kind == Sky::Kind::picture && sky_.image != noImage)
         picture_ = linearPicture(scene.images.at(static_cast<std::size_t>(sky_.image)));
@@ -109,23 +104,18 @@ void SkyModel::prepareIrradiance()
     overSphere(rows, false, [&](const vec3& direction, float solidAngle) {
         const vec3 flux = radiance(direction) * solidAngle;
         const auto values = basis(direction);
-        for (std::size_t i = 0; i < 9; ++i)
-            coefficients_[i] += flux * values[i];
+        for (std::size_t i = 0; i < 9; ++i) coefficients_[i] += flux * values[i];
     });
     const auto factors = convolution();
-    for (std::size_t i = 0; i < 9; ++i)
-        coefficients_[i] *= factors[i] * sky_.lighting;
+    for (std::size_t i = 0; i < 9; ++i) coefficients_[i] *= factors[i] * sky_.lighting;
 }
 
 vec3 SkyModel::radiance(const vec3& direction) const
 {
     switch (sky_.kind) {
-    case Sky::Kind::constant:
-        return sky_.radiance;
-    case Sky::Kind::picture:
-        return picture(direction);
-    case Sky::Kind::daylight:
-        break;
+    case Sky::Kind::constant: return sky_.radiance;
+    case Sky::Kind::picture: return picture(direction);
+    case Sky::Kind::daylight: break;
     }
     // The ground begins softly over the first degree and a half, as haze does it.
     const float ground = glm::smoothstep(0.0f, std::sin(glm::radians(1.5f)), -direction.y);
@@ -137,8 +127,7 @@ vec3 SkyModel::daylight(const vec3& direction) const
 {
     // At the horizon itself the model divides by zero; half a degree above it, it has settled.
     const float cosTheta = std::max(direction.y, 0.01f);
-    const float gamma =
-        std::acos(std::clamp(glm::dot(direction, notBelowHorizon(sunDirection_)), -1.0f, 1.0f));
+    const float gamma = std::acos(std::clamp(glm::dot(direction, notBelowHorizon(sunDirection_)), -1.0f, 1.0f));
     vec3 Yxy;
     for (std::size_t i = 0; i < 3; ++i)
         Yxy[static_cast<int>(i)] =
@@ -166,8 +155,7 @@ vec3 SkyModel::irradiance(const vec3& normal) const
 {
     const auto values = basis(normal);
     vec3 sum(0.0f);
-    for (std::size_t i = 0; i < 9; ++i)
-        sum += coefficients_[i] * values[i];
+    for (std::size_t i = 0; i < 9; ++i) sum += coefficients_[i] * values[i];
     return glm::max(sum, vec3(0.0f)); // nine terms can ring below zero beside a strong light
 }
 

@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
 SkyLayout skyLayout(const Image& image)
 {
@@ -17,16 +16,14 @@ SkyLayout skyLayout(const Image& image)
     if (h == 6 * w) return SkyLayout::stripTall;
     if (w % 4 == 0 && 3 * w == 4 * h) return SkyLayout::crossWide;
     if (h % 4 == 0 && 3 * h == 4 * w) return SkyLayout::crossTall;
-    throw Error(
-        "{}: a sky of {}x{} pixels is neither 2:1 (latitude-longitude) nor 4:3, 3:4, 6:1 or 1:6 (cube map)",
-        image.name, w, h);
+    throw Error("{}: a sky of {}x{} pixels is neither 2:1 (latitude-longitude) nor 4:3, 3:4, 6:1 or 1:6 (cube map)",
+                image.name, w, h);
 }
 
 Image linearPicture(const Image& image)
 {
     std::array<float, 256> decoded;
-    for (std::size_t i = 0; i < decoded.size(); ++i)
-        decoded[i] = srgbDecode(static_cast<float>(i) / 255.0f);
+    for (std::size_t i = 0; i < decoded.size(); ++i) decoded[i] = srgbDecode(static_cast<float>(i) / 255.0f);
 
     Image result;
     result.name = image.name;
@@ -44,8 +41,7 @@ Image linearPicture(const Image& image)
     return result;
 }
 
-namespace
-{
+namespace {
 
 struct Rect {
     int x, y, width, height;
@@ -53,8 +49,8 @@ struct Rect {
 
 vec3 texel(const Image& image, int x, int y)
 {
-    const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                         static_cast<std::size_t>(x));
+    const auto at =
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
     return {image.floats[at], image.floats[at + 1], image.floats[at + 2]};
 }
 
@@ -68,9 +64,8 @@ vec3 bilinear(const Image& image, const Rect& rect, float u, float v, bool wrapU
         return rect.x + (wrapU ? (i + rect.width) % rect.width : std::clamp(i, 0, rect.width - 1));
     };
     const auto row = [&](int i) { return rect.y + std::clamp(i, 0, rect.height - 1); };
-    return glm::mix(
-        glm::mix(texel(image, column(x0), row(y0)), texel(image, column(x0 + 1), row(y0)), fx),
-        glm::mix(texel(image, column(x0), row(y0 + 1)), texel(image, column(x0 + 1), row(y0 + 1)), fx), fy);
+    return glm::mix(glm::mix(texel(image, column(x0), row(y0)), texel(image, column(x0 + 1), row(y0)), fx),
+                    glm::mix(texel(image, column(x0), row(y0 + 1)), texel(image, column(x0 + 1), row(y0 + 1)), fx), fy);
 }
 
 struct CubePoint {
@@ -102,15 +97,11 @@ ivec2 cellOf(SkyLayout layout, int face)
     static constexpr int wide[6][2] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}};
     static constexpr int tall[6][2] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3}};
     switch (layout) {
-    case SkyLayout::crossWide:
-        return {wide[face][0], wide[face][1]};
-    case SkyLayout::crossTall:
-        return {tall[face][0], tall[face][1]};
-    case SkyLayout::stripWide:
-        return {face, 0};
+    case SkyLayout::crossWide: return {wide[face][0], wide[face][1]};
+    case SkyLayout::crossTall: return {tall[face][0], tall[face][1]};
+    case SkyLayout::stripWide: return {face, 0};
     case SkyLayout::stripTall:
-    case SkyLayout::latLong:
-        break;
+    case SkyLayout::latLong: break;
     }
     return {0, face};
 }
@@ -118,15 +109,11 @@ ivec2 cellOf(SkyLayout layout, int face)
 int faceSize(SkyLayout layout, const Image& image)
 {
     switch (layout) {
-    case SkyLayout::crossWide:
-        return image.width / 4;
-    case SkyLayout::crossTall:
-        return image.height / 4;
-    case SkyLayout::stripWide:
-        return image.height;
+    case SkyLayout::crossWide: return image.width / 4;
+    case SkyLayout::crossTall: return image.height / 4;
+    case SkyLayout::stripWide: return image.height;
     case SkyLayout::stripTall:
-    case SkyLayout::latLong:
-        break;
+    case SkyLayout::latLong: break;
     }
     return image.width;
 }

@@ -6,8 +6,7 @@
 
 #include "scene/image.h"
 
-namespace tarn
-{
+namespace tarn {
 
 enum class SkyLayout { latLong, crossWide, crossTall, stripWide, stripTall };
 

@@ -9,8 +9,7 @@
 #include <span>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 struct KeyRange {
     double lower = -std::numeric_limits<double>::infinity();
@@ -19,8 +18,7 @@ struct KeyRange {
     bool lowerExcluded = false; ///< "more than 0"
 };
 
-class TableIo
-{
+class TableIo {
 public:
     virtual ~TableIo() = default;
 

@@ -6,37 +6,27 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
 std::string typeName(const toml::node& node)
 {
     switch (node.type()) {
-    case toml::node_type::table:
-        return "a table";
-    case toml::node_type::array:
-        return "an array";
-    case toml::node_type::string:
-        return "a string";
-    case toml::node_type::integer:
-        return "an integer";
-    case toml::node_type::floating_point:
-        return "a number";
-    case toml::node_type::boolean:
-        return "true or false";
-    default:
-        return "a date or time";
+    case toml::node_type::table: return "a table";
+    case toml::node_type::array: return "an array";
+    case toml::node_type::string: return "a string";
+    case toml::node_type::integer: return "an integer";
+    case toml::node_type::floating_point: return "a number";
+    case toml::node_type::boolean: return "true or false";
+    default: return "a date or time";
     }
 }
 
-namespace
-{
+namespace {
 
 std::string rangeText(const KeyRange& range)
 {
     const std::string unit = *range.unit ? std::string(" ") + range.unit : "";
-    if (range.lowerExcluded)
-        return fmt::format("more than {} and at most {}{}", range.lower, range.upper, unit);
+    if (range.lowerExcluded) return fmt::format("more than {} and at most {}{}", range.lower, range.upper, unit);
     if (std::isfinite(range.upper)) return fmt::format("{} to {}{}", range.lower, range.upper, unit);
     return fmt::format("at least {}{}", range.lower, unit);
 }
@@ -45,8 +35,7 @@ std::string rangeText(const KeyRange& range)
 
 TableReader::TableReader(const toml::table& table, std::string file, std::string section)
     : table_(table), file_(std::move(file)), section_(std::move(section))
-{
-}
+{}
 
 std::string TableReader::place() const
 {
@@ -117,8 +106,7 @@ double TableReader::readNumber(const char* key, const toml::node& node, const Ke
     if (!std::isfinite(value)) fail(key, "must be a finite number");
     if (value < range.lower || value > range.upper || (range.lowerExcluded && value == range.lower))
         fail(key, fmt::format("must be {}, not {}", rangeText(range), value));
-    if (std::abs(value) > std::numeric_limits<float>::max())
-        fail(key, fmt::format("is too large: {}", value));
+    if (std::abs(value) > std::numeric_limits<float>::max()) fail(key, fmt::format("is too large: {}", value));
     return value;
 }
 
@@ -137,8 +125,7 @@ void TableReader::integer(const char* key, int& value, const KeyRange& range)
 
 void TableReader::angle(const char* key, float& radians, const KeyRange& degrees)
 {
-    if (const toml::node* node = find(key))
-        radians = static_cast<float>(glm::radians(readNumber(key, *node, degrees)));
+    if (const toml::node* node = find(key)) radians = static_cast<float>(glm::radians(readNumber(key, *node, degrees)));
 }
 
 template <int N, typename Vector>
@@ -152,9 +139,8 @@ void TableReader::readVector(const char* key, Vector& value, const KeyRange& ran
     }
     const toml::array* array = node->as_array();
     if (!array || array->size() != N)
-        fail(key,
-             fmt::format("must be {} numbers in brackets{}, not {}", N, scalarToo ? " or one number" : "",
-                         array ? fmt::format("{}", array->size()) : typeName(*node)));
+        fail(key, fmt::format("must be {} numbers in brackets{}, not {}", N, scalarToo ? " or one number" : "",
+                              array ? fmt::format("{}", array->size()) : typeName(*node)));
     for (int i = 0; i < N; ++i)
         value[i] = static_cast<float>(readNumber(key, *array->get(static_cast<std::size_t>(i)), range));
 }
@@ -212,8 +198,7 @@ void TableReader::choiceIndex(const char* key, int& value, std::span<const char*
     text(key, chosen);
     const auto found = std::find(names.begin(), names.end(), chosen);
     if (found == names.end())
-        fail(key,
-             fmt::format("must be one of {}, not '{}'", fmt::join(names.begin(), names.end(), ", "), chosen));
+        fail(key, fmt::format("must be one of {}, not '{}'", fmt::join(names.begin(), names.end(), ", "), chosen));
     value = static_cast<int>(found - names.begin());
 }
 

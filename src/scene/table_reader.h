@@ -10,12 +10,10 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Every key that is asked for counts as known; finish() objects to the others.
-class TableReader : public TableIo
-{
+class TableReader : public TableIo {
 public:
     /// @param section "water", as error messages name it
     TableReader(const toml::table& table, std::string file, std::string section);

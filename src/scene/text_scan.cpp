@@ -3,51 +3,40 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace tarn
-{
+namespace tarn {
 
 void normaliseLines(std::string& text)
 {
     if (text.starts_with("\xef\xbb\xbf")) std::fill_n(text.begin(), 3, ' ');
     for (std::size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1))
-        text[at] =
-            at + 1 < text.size() && text[at + 1] == '\n' ? ' ' : '\n'; // a lone \r ends lines of old Macs
+        text[at] = at + 1 < text.size() && text[at + 1] == '\n' ? ' ' : '\n'; // a lone \r ends lines of old Macs
 }
 
 std::string_view trimBlanks(std::string_view text)
 {
-    while (!text.empty() && isBlank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back()))
-        text.remove_suffix(1);
+    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
     return text;
 }
 
 std::string_view nextWord(std::string_view& rest)
 {
     std::size_t start = 0;
-    while (start < rest.size() && isBlank(rest[start]))
-        ++start;
+    while (start < rest.size() && isBlank(rest[start])) ++start;
     std::size_t end = start;
-    while (end < rest.size() && !isBlank(rest[end]))
-        ++end;
+    while (end < rest.size() && !isBlank(rest[end])) ++end;
     const auto word = rest.substr(start, end - start);
     rest.remove_prefix(end);
     return word;
 }
 
-namespace
-{
+namespace {
 
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 std::size_t skipDigits(std::string_view word, std::size_t at)
 {
-    while (at < word.size() && isDigit(word[at]))
-        ++at;
+    while (at < word.size() && isDigit(word[at])) ++at;
     return at;
 }
 

@@ -4,17 +4,13 @@
 #include <string>
 #include <string_view>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Makes every line end with \n and nothing else, and blanks a UTF-8 byte-order mark. Lines keep their
 /// numbers.
 void normaliseLines(std::string& text);
 
-inline bool isBlank(char c)
-{
-    return c == ' ' || c == '\t';
-}
+inline bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 /// Without blanks at both ends.
 std::string_view trimBlanks(std::string_view text);

@@ -12,11 +12,9 @@
 #include <optional>
 #include <thread>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 bool storesLinear(const Image& image)
 {
@@ -93,9 +91,10 @@ void requireUpwardNormals(const Image& image)
     for (std::size_t i = 1; i < image.size(); i += channels) {
         const float up = image.isFloat() ? image.floats[i] : static_cast<float>(image.bytes[i]) / 255.0f;
         if (up > 0.5f) continue;
-        throw Error("{}: the normals of water point up, with a green over 0.5 everywhere, but it is {:.2f} at ({}, {}); a "
-                    "map whose blue points up needs green and blue exchanged",
-                    image.name, up, i / channels % width, i / channels / width);
+        throw Error(
+            "{}: the normals of water point up, with a green over 0.5 everywhere, but it is {:.2f} at ({}, {}); a "
+            "map whose blue points up needs green and blue exchanged",
+            image.name, up, i / channels % width, i / channels / width);
     }
 }
 
@@ -132,8 +131,7 @@ void finishMaterial(Material& material, const std::vector<Image>& images, const 
 
 } // namespace
 
-int TextureQueue::request(const std::filesystem::path& file, TextureUse use, const std::string& origin,
-                          float bumpScale)
+int TextureQueue::request(const std::filesystem::path& file, TextureUse use, const std::string& origin, float bumpScale)
 {
     const auto path = file.lexically_normal();
     const auto found = std::find_if(requests_.begin(), requests_.end(), [&](const Request& request) {
@@ -151,21 +149,13 @@ Image TextureQueue::decode(const Request& request)
     case TextureUse::colour:
         if (image.isFloat() && !storesLinear(image)) toBytes(image);
         break;
-    case TextureUse::alpha:
-        toAlpha(image);
-        break;
+    case TextureUse::alpha: toAlpha(image); break;
     case TextureUse::normal:
         if (image.channels < 3) throw Error("{}: a normal map needs three channels", image.name);
         break;
-    case TextureUse::waterNormal:
-        requireUpwardNormals(image);
-        break;
-    case TextureUse::bump:
-        toNormals(image, request.bumpScale);
-        break;
-    case TextureUse::sky:
-        skyLayout(image);
-        break;
+    case TextureUse::waterNormal: requireUpwardNormals(image); break;
+    case TextureUse::bump: toNormals(image, request.bumpScale); break;
+    case TextureUse::sky: skyLayout(image); break;
     }
     return image;
 }
@@ -188,8 +178,7 @@ void TextureQueue::decodeInto(Scene& scene, Progress* progress)
             const std::lock_guard lock(reporting);
             ++done;
             if (progress)
-                progress->report(0.5 +
-                                     0.5 * static_cast<double>(done) / static_cast<double>(requests_.size()),
+                progress->report(0.5 + 0.5 * static_cast<double>(done) / static_cast<double>(requests_.size()),
                                  "reading " + requests_[i].file.filename().string());
         }
     };
@@ -198,8 +187,7 @@ void TextureQueue::decodeInto(Scene& scene, Progress* progress)
     for (std::size_t i = 1; i < std::min(cores, requests_.size()); ++i)
         workers.push_back(std::async(std::launch::async, work));
     work();
-    for (auto& worker : workers)
-        worker.get();
+    for (auto& worker : workers) worker.get();
 
     std::vector<int> imageOf(requests_.size(), noImage);
     for (std::size_t i = 0; i < requests_.size(); ++i) {
@@ -210,8 +198,7 @@ void TextureQueue::decodeInto(Scene& scene, Progress* progress)
             log::warning("{}: {}; drawn without it", requests_[i].origin, problems[i]);
         }
     }
-    for (Material& material : scene.materials)
-        finishMaterial(material, scene.images, imageOf);
+    for (Material& material : scene.materials) finishMaterial(material, scene.images, imageOf);
     remap(scene.sky.image, imageOf);
     remap(scene.water.normalMap.image, imageOf);
 }

@@ -11,6 +11,7 @@ namespace tarn {
 /// size of the patch that is off.
 /// @param corners of the triangle that is shown   @param weights of them, at the point
 /// @param metresPerUv of the texture round about; 0: it has none
-float seemingShift(const Vertex& truth, const std::array<const Vertex*, 3>& corners, const vec3& weights, float metresPerUv);
+float seemingShift(const Vertex& truth, const std::array<const Vertex*, 3>& corners, const vec3& weights,
+                   float metresPerUv);
 
 } // namespace tarn

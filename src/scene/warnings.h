@@ -5,12 +5,10 @@
 
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Prints the first ten as "file:line: message", and how many more there were when it goes out of scope.
-class FileWarnings
-{
+class FileWarnings {
 public:
     explicit FileWarnings(std::string file) : file_(std::move(file)) {}
     FileWarnings(const FileWarnings&) = delete;

@@ -20,27 +20,23 @@ template <typename Term, typename Make> std::vector<Term> manyWaves(std::int64_t
 
 void waveSumFloat(benchmark::State& state)
 {
-    const auto waves =
-        manyWaves<optics::WaveTerm>(state.range(0), [](double amplitude, double length, double way) {
-            return optics::makeWaveTerm(static_cast<float>(amplitude), static_cast<float>(length),
-                                        static_cast<float>(way), 0.0f);
-        });
+    const auto waves = manyWaves<optics::WaveTerm>(state.range(0), [](double amplitude, double length, double way) {
+        return optics::makeWaveTerm(static_cast<float>(amplitude), static_cast<float>(length), static_cast<float>(way),
+                                    0.0f);
+    });
     float x = 0.0f;
-    for (auto _ : state)
-        benchmark::DoNotOptimize(optics::waveAt(waves, vec2(x += 0.1f, 2.0f), 1.5f));
+    for (auto _ : state) benchmark::DoNotOptimize(optics::waveAt(waves, vec2(x += 0.1f, 2.0f), 1.5f));
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(waveSumFloat)->RangeMultiplier(4)->Range(1, 64);
 
 void waveSumDouble(benchmark::State& state)
 {
-    const auto waves =
-        manyWaves<optics64::WaveTerm>(state.range(0), [](double amplitude, double length, double way) {
-            return optics64::makeWaveTerm(amplitude, length, way, 0.0);
-        });
+    const auto waves = manyWaves<optics64::WaveTerm>(state.range(0), [](double amplitude, double length, double way) {
+        return optics64::makeWaveTerm(amplitude, length, way, 0.0);
+    });
     double x = 0.0;
-    for (auto _ : state)
-        benchmark::DoNotOptimize(optics64::waveAt(waves, glm::dvec2(x += 0.1, 2.0), 1.5));
+    for (auto _ : state) benchmark::DoNotOptimize(optics64::waveAt(waves, glm::dvec2(x += 0.1, 2.0), 1.5));
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(waveSumDouble)->RangeMultiplier(4)->Range(1, 64);

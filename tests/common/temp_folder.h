@@ -10,11 +10,9 @@
 #include <string>
 #include <string_view>
 
-namespace tarn::test
-{
+namespace tarn::test {
 
-class TempFolder
-{
+class TempFolder {
 public:
     TempFolder()
     {
@@ -62,7 +60,7 @@ template <typename Exception, typename Call> std::string messageOf(const Call& c
     return "";
 }
 
-#define EXPECT_CONTAINS(text, part)                                                                          \
+#define EXPECT_CONTAINS(text, part)                                                                                    \
     EXPECT_NE(std::string(text).find(part), std::string::npos) << "in: " << (text) << "\nexpected: " << (part)
 
 } // namespace tarn::test

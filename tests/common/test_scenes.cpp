@@ -39,8 +39,9 @@ void addFloor(Scene& scene, float height, float edge, int material, int tiles)
     for (int j = 0; j < tiles; ++j) {
         for (int i = 0; i < tiles; ++i) {
             const float x = tile * static_cast<float>(i) - 0.5f * edge, z = tile * static_cast<float>(j) - 0.5f * edge;
-            addQuad(mesh, {vec3(x, height, z + tile), vec3(x + tile, height, z + tile), vec3(x + tile, height, z),
-                           vec3(x, height, z)},
+            addQuad(mesh,
+                    {vec3(x, height, z + tile), vec3(x + tile, height, z + tile), vec3(x + tile, height, z),
+                     vec3(x, height, z)},
                     vec3(0.0f, 1.0f, 0.0f));
         }
     }
@@ -58,8 +59,9 @@ void addBox(Scene& scene, const vec3& lower, const vec3& upper, int material)
             n[axis] = sign;
             u[(axis + 1) % 3] = 1.0f;
             v[(axis + 2) % 3] = sign; // u × v = n: counter-clockwise from outside
-            addQuad(mesh, {centre + half * (n - u - v), centre + half * (n + u - v), centre + half * (n + u + v),
-                           centre + half * (n - u + v)},
+            addQuad(mesh,
+                    {centre + half * (n - u - v), centre + half * (n + u - v), centre + half * (n + u + v),
+                     centre + half * (n - u + v)},
                     n);
         }
     }
@@ -109,7 +111,8 @@ Mesh groundMesh(const std::function<float(float, float)>& height, int cells, flo
     Mesh mesh;
     for (int j = 0; j <= cells; ++j) {
         for (int i = 0; i <= cells; ++i) {
-            const float x = spacing * static_cast<float>(i), z = spacing * static_cast<float>(j), step = 0.01f * spacing;
+            const float x = spacing * static_cast<float>(i), z = spacing * static_cast<float>(j),
+                        step = 0.01f * spacing;
             const vec3 normal(height(x - step, z) - height(x + step, z), 2.0f * step,
                               height(x, z - step) - height(x, z + step));
             mesh.vertices.push_back({{x, height(x, z), z}, glm::normalize(normal), {1, 0, 0, 1}, {x, -z}});

@@ -25,8 +25,7 @@ std::vector<vec3> smoothed(const std::function<vec3(int x, int y)>& colour)
     for (int y = 0; y < pictureSize.y; ++y)
         for (int x = 0; x < pictureSize.x; ++x) {
             const vec3 c = colour(x, y);
-            for (const float value : {c.x, c.y, c.z, optics::fxaaLuma(c)})
-                texels.push_back(value);
+            for (const float value : {c.x, c.y, c.z, optics::fxaaLuma(c)}) texels.push_back(value);
         }
     gl::Texture source({.format = gl::Format::rgba32f, .size = pictureSize}, "shown");
     source.upload(std::span<const float>(texels));
@@ -34,8 +33,7 @@ std::vector<vec3> smoothed(const std::function<vec3(int x, int y)>& colour)
     FxaaPass pass(*shaders);
     const std::vector<float> floats = pass.draw(source).framebuffer().readFloats();
     std::vector<vec3> result;
-    for (std::size_t i = 0; i < floats.size(); i += 4)
-        result.emplace_back(floats[i], floats[i + 1], floats[i + 2]);
+    for (std::size_t i = 0; i < floats.size(); i += 4) result.emplace_back(floats[i], floats[i + 1], floats[i + 2]);
     return result;
 }
 
@@ -51,12 +49,10 @@ TEST(FrameAntialiasing, FxaaLeavesWhatHasNoEdge)
     };
     const std::vector<vec3> same = smoothed(slope);
     for (int y = 0; y < pictureSize.y; ++y)
-        for (int x = 0; x < pictureSize.x; ++x)
-            ASSERT_LT(glm::distance(at(same, x, y), slope(x, y)), 1.0f / 255.0f);
+        for (int x = 0; x < pictureSize.x; ++x) ASSERT_LT(glm::distance(at(same, x, y), slope(x, y)), 1.0f / 255.0f);
     // A straight edge along the pixels is not blurred but for what counts as smaller than a pixel.
     const std::vector<vec3> straight = smoothed([](int x, int) { return vec3(x < 20 ? 0.2f : 0.8f); });
-    for (int x = 0; x < pictureSize.x; ++x)
-        ASSERT_NEAR(at(straight, x, 17).x, x < 20 ? 0.2f : 0.8f, 0.05f) << x;
+    for (int x = 0; x < pictureSize.x; ++x) ASSERT_NEAR(at(straight, x, 17).x, x < 20 ? 0.2f : 0.8f, 0.05f) << x;
 }
 
 /// How much of a pixel lies under a line through the picture.
@@ -116,10 +112,8 @@ TEST(FrameAntialiasing, WithoutItOneSampleOfAPixelIsDrawn)
         stage.renderer.render({camera, 0.0, {80, 60}});
         return std::pair(stage.renderer.readDisplay(), stage.renderer.readLinear());
     };
-    const auto one = draw(FrameOptions::Antialiasing::msaa, 1),
-               none = draw(FrameOptions::Antialiasing::none, 4);
-    const auto fxaa = draw(FrameOptions::Antialiasing::fxaa, 4),
-               four = draw(FrameOptions::Antialiasing::msaa, 4);
+    const auto one = draw(FrameOptions::Antialiasing::msaa, 1), none = draw(FrameOptions::Antialiasing::none, 4);
+    const auto fxaa = draw(FrameOptions::Antialiasing::fxaa, 4), four = draw(FrameOptions::Antialiasing::msaa, 4);
     EXPECT_EQ(one.first.bytes, none.first.bytes);
     EXPECT_NE(one.first.bytes, four.first.bytes);
     EXPECT_NE(one.first.bytes, fxaa.first.bytes);
@@ -129,8 +123,7 @@ TEST(FrameAntialiasing, WithoutItOneSampleOfAPixelIsDrawn)
     const Image truth = draw(FrameOptions::Antialiasing::none, 1).first;
     const auto error = [&](const Image& image) {
         double sum = 0.0;
-        for (std::size_t i = 0; i < image.bytes.size(); ++i)
-            sum += std::abs(int(image.bytes[i]) - int(truth.bytes[i]));
+        for (std::size_t i = 0; i < image.bytes.size(); ++i) sum += std::abs(int(image.bytes[i]) - int(truth.bytes[i]));
         return sum;
     };
     EXPECT_LT(error(fxaa.first), 0.8 * error(none.first));

@@ -175,8 +175,8 @@ TEST(FrameCaustics, WhatLeavesTheTextureIsAllThatIsMissing)
             const glm::dvec2 lattice(2.0 * (i + 0.5) / edge - 1.0, 2.0 * (j + 0.5) / edge - 1.0);
             const Ray ray = rays.from(glm::dvec2(region.rect.centre) + lattice);
             const glm::dvec3 hit = ray.surface + ray.refracted * ((-2.0 - ray.surface.y) / ray.refracted.y);
-            const glm::dvec2 place = optics64::sunPlane(hit, 0.0, optics64::sunSlant(toSunBelow)) -
-                                     glm::dvec2(region.rect.centre);
+            const glm::dvec2 place =
+                optics64::sunPlane(hit, 0.0, optics64::sunSlant(toSunBelow)) - glm::dvec2(region.rect.centre);
             const double light = ray.transmittance * 4.0 / (edge * edge);
             entered += light;
             if (std::max(std::abs(place.x), std::abs(place.y)) <= 1.0) stayed += light;

@@ -77,8 +77,7 @@ TEST_P(SnellLookup, LandsWithinATexelOfSnell)
     Studio studio(scene, options);
     const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::positionW);
     const float aspect = static_cast<float>(pictureSize.x) / static_cast<float>(pictureSize.y);
-    const mat4 clipFromWorld =
-        refractionView(camera, aspect, scene.water, options, false).clipFromWorld();
+    const mat4 clipFromWorld = refractionView(camera, aspect, scene.water, options, false).clipFromWorld();
     const int size = options.refraction.targetSize;
 
     int inView = 0;
@@ -117,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Angles, SnellLookup,
                                          SnellCase{80.0f, RefractionOptions::CameraMode::main}),
                          [](const auto& test) {
                              return std::string(test.param.camera == RefractionOptions::CameraMode::snell ? "snell"
-                                                                                                         : "main") +
+                                                                                                          : "main") +
                                     std::to_string(static_cast<int>(test.param.degrees));
                          });
 
@@ -161,7 +160,8 @@ TEST(FrameClosedForm, FresnelIsSchlicksWhereThatIsAskedFor)
     expectFresnel(studio, [](double c) { return optics64::fresnelSchlick(c, 1.33, 5.0); });
 }
 
-// The table's own error is that of tests/unit/optics_fresnel_table.cpp; it follows size, filter and index of refraction.
+// The table's own error is that of tests/unit/optics_fresnel_table.cpp; it follows size, filter and index of
+// refraction.
 TEST(FrameClosedForm, FresnelIsTheTablesWhereThatIsAskedFor)
 {
     const Scene scene = flatLake(2.0f);
@@ -182,14 +182,13 @@ TEST(FrameClosedForm, FresnelIsTheTablesWhereThatIsAskedFor)
                     const optics::FresnelTable table = optics::makeFresnelTable(ior, size, filter);
                     const double step = 2.0 * (1.0 + n * n) / std::sqrt(n * n - 1.0) / (size - 1);
                     expectFresnel(
-                        studio,
-                        [&table](double c) { return static_cast<double>(table.at(static_cast<float>(c)).y); },
+                        studio, [&table](double c) { return static_cast<double>(table.at(static_cast<float>(c)).y); },
                         step / 512.0 + 2.0e-6);
                 } else {
                     // At a texel's edge rounding chooses between two.
                     const double half = (1.0 + n * n) / (size * std::sqrt(n * n - 1.0));
-                    expectFresnel(studio, [n](double c) { return optics64::fresnelExact(c, 1.0 / n); },
-                                  half + 2.0e-6);
+                    expectFresnel(
+                        studio, [n](double c) { return optics64::fresnelExact(c, 1.0 / n); }, half + 2.0e-6);
                 }
             }
 }

@@ -31,8 +31,7 @@ Scene layersOver(int layers, double share)
     Image dots{"dots", edge, edge, 4, std::vector<std::uint8_t>(edge * edge * 4, 0), {}};
     std::mt19937 random(7);
     std::bernoulli_distribution isThere(share);
-    for (std::size_t i = 3; i < dots.bytes.size(); i += 4)
-        dots.bytes[i] = isThere(random) ? 255 : 0;
+    for (std::size_t i = 3; i < dots.bytes.size(); i += 4) dots.bytes[i] = isThere(random) ? 255 : 0;
     scene.images.push_back(dots);
     const auto leaf = static_cast<std::size_t>(addMaterial(scene, vec3(0.0f)));
     scene.materials[leaf].diffuseMap = 0;
@@ -53,8 +52,7 @@ double meanThrough(const Scene& scene, const Options& options)
     const Image image = studio.linear(camera, pictureSize);
     double sum = 0.0;
     for (int y = 0; y < pictureSize.y; ++y)
-        for (int x = 0; x < pictureSize.x; ++x)
-            sum += static_cast<double>(pixel(image, x, y).x);
+        for (int x = 0; x < pictureSize.x; ++x) sum += static_cast<double>(pixel(image, x, y).x);
     return sum / (pictureSize.x * pictureSize.y);
 }
 

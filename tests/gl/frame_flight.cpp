@@ -40,8 +40,8 @@ Image changedBy(const Image& picture, const Image& from, const Image& to)
     return result;
 }
 
-/// Flies with a plan beside the full frame. Whatever changes from frame to frame must change in both, within what goldens
-/// allow.
+/// Flies with a plan beside the full frame. Whatever changes from frame to frame must change in both, within what
+/// goldens allow.
 std::array<int, ruleCount> fly(const Scene& scene, Options options)
 {
     Stage planned(scene, options);

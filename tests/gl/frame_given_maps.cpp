@@ -102,7 +102,8 @@ TEST(GivenMaps, ShowWhatTheDrawnOnesShow)
 }
 
 /// A made-up bed over a square about the origin: its heights, and how it answers the sun.
-HeightMapPicture bedMap(int edge, float extent, const std::function<float(float x, float z)>& height, float response = 0.0f)
+HeightMapPicture bedMap(int edge, float extent, const std::function<float(float x, float z)>& height,
+                        float response = 0.0f)
 {
     HeightMapPicture map;
     map.edge = edge;
@@ -110,7 +111,8 @@ HeightMapPicture bedMap(int edge, float extent, const std::function<float(float 
     map.lowest = -10.0f;
     for (int j = 0; j < edge; ++j)
         for (int i = 0; i < edge; ++i) {
-            const vec2 place = (vec2(static_cast<float>(i), static_cast<float>(j)) + 0.5f) * extent / static_cast<float>(edge);
+            const vec2 place =
+                (vec2(static_cast<float>(i), static_cast<float>(j)) + 0.5f) * extent / static_cast<float>(edge);
             map.heights.push_back(height(place.x - 0.5f * extent, place.y - 0.5f * extent));
         }
     const auto texels = static_cast<std::size_t>(edge * edge);
@@ -185,8 +187,9 @@ TEST(GivenMaps, AStepIsMetOnEitherSideOfIt)
         if (t > 0.0 && std::abs(onRamp.x) < half - 0.001 && r.x > 0.1) return ++ramp, onRamp;
         return unknown;
     };
-    EXPECT_LT(worstError(scene, bothRaycast(), over({-1.5f, 1.0f, 2}, {0.5f, -1, 0}), DebugView::positionW, exact, known),
-              2.0e-3);
+    EXPECT_LT(
+        worstError(scene, bothRaycast(), over({-1.5f, 1.0f, 2}, {0.5f, -1, 0}), DebugView::positionW, exact, known),
+        2.0e-3);
     EXPECT_GT(low, 500);
     EXPECT_GT(high, 2000);
     EXPECT_GT(ramp, 100);
@@ -197,7 +200,8 @@ TEST(GivenMaps, AStepIsMetOnEitherSideOfIt)
         const dvec3 top = u + (-1.0 - u.y) / r.y * r;
         return top.z > 0.6 && top.z < 1.4 && std::abs(top.x) < 3.9 ? top : unknown;
     };
-    EXPECT_LT(worstError(scene, bothRaycast(), over({0, 1.6f, 5}, {0, -1, 0}), DebugView::positionW, onRidge, known), 2.0e-3);
+    EXPECT_LT(worstError(scene, bothRaycast(), over({0, 1.6f, 5}, {0, -1, 0}), DebugView::positionW, onRidge, known),
+              2.0e-3);
     EXPECT_GT(known, 1000);
 }
 
@@ -231,7 +235,8 @@ TEST(GivenMaps, TheBedFollowsTheSunsStrength)
 {
     Scene scene = flatLake(5.0f, 8.0f);
     scene.sky.radiance = vec3(0.0f);
-    scene.maps.bed.picture = bedMap(64, 8.0f, [](float, float) { return -1.0f; }, 0.2f);
+    scene.maps.bed.picture = bedMap(
+        64, 8.0f, [](float, float) { return -1.0f; }, 0.2f);
     scene.maps.bed.picture->colours[0].assign(3 * 64 * 64, 0.0f);
     Options options = bothRaycast();
     options.caustics.enabled = options.sunlight.shadows = false;
@@ -242,7 +247,8 @@ TEST(GivenMaps, TheBedFollowsTheSunsStrength)
         return static_cast<double>(pixel(studio.linear(camera, pictureSize), 80, 60).x);
     };
     const double once = middle(1.0f);
-    const double sun = static_cast<double>(optics::sunIrradianceBelow(vec3(1.0f), glm::normalize(vec3(0.6f, 1, 0)).y, 1.33f).x);
+    const double sun =
+        static_cast<double>(optics::sunIrradianceBelow(vec3(1.0f), glm::normalize(vec3(0.6f, 1, 0)).y, 1.33f).x);
     const double down = 1.0 - optics64::fresnelExact(1.0, 1.0 / n);
     EXPECT_NEAR(once, down / (n * n) * 0.2 * sun, 0.02 * once);
     EXPECT_NEAR(middle(2.0f), 2.0 * once, 0.01 * once);

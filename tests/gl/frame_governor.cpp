@@ -1,4 +1,5 @@
-// What the viewer's governor relies on: sizes need no programs of their own, and averaged samples are the supersampled picture.
+// What the viewer's governor relies on: sizes need no programs of their own, and averaged samples are the supersampled
+// picture.
 #include "gl/shader_library.h"
 #include "gl_test.h"
 #include "plan/ladder.h"
@@ -28,8 +29,10 @@ Options small()
 /// Twice the value where the option allows it, else half of it, else none.
 std::vector<std::string> otherValues(const FieldRow& row)
 {
-    if (row.type == "int") return {fmt::format("{}", 2 * std::stoi(row.value)), fmt::format("{}", std::stoi(row.value) / 2)};
-    if (row.type == "float") return {fmt::format("{}", 2.0f * std::stof(row.value)), fmt::format("{}", 0.5f * std::stof(row.value))};
+    if (row.type == "int")
+        return {fmt::format("{}", 2 * std::stoi(row.value)), fmt::format("{}", std::stoi(row.value) / 2)};
+    if (row.type == "float")
+        return {fmt::format("{}", 2.0f * std::stof(row.value)), fmt::format("{}", 0.5f * std::stof(row.value))};
     return {};
 }
 
@@ -70,7 +73,8 @@ TEST(FrameGovernor, SizesAndNumbersNeedNoProgramsOfTheirOwn)
 double rmse(const Image& a, const Image& b)
 {
     double sum = 0.0;
-    for (std::size_t i = 0; i < a.floats.size(); ++i) sum += std::pow(static_cast<double>(a.floats[i] - b.floats[i]), 2.0);
+    for (std::size_t i = 0; i < a.floats.size(); ++i)
+        sum += std::pow(static_cast<double>(a.floats[i] - b.floats[i]), 2.0);
     return std::sqrt(sum / static_cast<double>(a.floats.size()));
 }
 
@@ -90,7 +94,8 @@ TEST(FrameGovernor, AveragedSamplesAreTheSupersampledPicture)
     EXPECT_LT(rmse(draw(1), alone), 1e-4) << "the first is the picture itself";
     Image mean;
     for (int n = 1; n <= Refinement::samples; ++n) mean = draw(n);
-    const FrameStats& again = stage.renderer.render({lookAcross(), 0.7, size, DebugView::final, false, Refinement::samples});
+    const FrameStats& again =
+        stage.renderer.render({lookAcross(), 0.7, size, DebugView::final, false, Refinement::samples});
     EXPECT_TRUE(again.plan.rule(RuleId::keepFrame).applies) << "and is kept";
     EXPECT_LT(rmse(draw(1), alone), 1e-4) << "it begins anew";
 

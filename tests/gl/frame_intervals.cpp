@@ -64,8 +64,7 @@ constexpr PassId targets[] = {PassId::caustics, PassId::refraction, PassId::refl
 double difference(const Image& a, const Image& b)
 {
     double sum = 0.0;
-    for (std::size_t i = 0; i < a.bytes.size(); ++i)
-        sum += std::abs(int(a.bytes[i]) - int(b.bytes[i]));
+    for (std::size_t i = 0; i < a.bytes.size(); ++i) sum += std::abs(int(a.bytes[i]) - int(b.bytes[i]));
     return sum / static_cast<double>(a.bytes.size());
 }
 
@@ -118,8 +117,7 @@ TEST(FrameIntervals, AJumpAndAnotherOptionDrawAll)
     const auto same = [&](const Camera& camera, double time) {
         every.renderer.render({camera, time, size});
         const FrameStats& stats = fourth.renderer.render({camera, time, size});
-        for (const PassId pass : targets)
-            EXPECT_EQ(draws(stats, pass), stats.plan[pass].wanted) << passName(pass);
+        for (const PassId pass : targets) EXPECT_EQ(draws(stats, pass), stats.plan[pass].wanted) << passName(pass);
         EXPECT_EQ(every.renderer.readDisplay().bytes, fourth.renderer.readDisplay().bytes);
     };
     same(cameraAt(0), 0.0);
@@ -142,13 +140,11 @@ TEST(FrameIntervals, AtRestThePictureIsThatOfAllTargets)
 {
     const Scene scene = livelyPond();
     Stage every(scene, smallOptions(1)), fourth(scene, smallOptions(4));
-    for (int frame = 0; frame < 6; ++frame)
-        fourth.renderer.render({cameraAt(frame), frame * secondsPerFrame, size});
+    for (int frame = 0; frame < 6; ++frame) fourth.renderer.render({cameraAt(frame), frame * secondsPerFrame, size});
     const FrameInput rest{cameraAt(6), 6 * secondsPerFrame, size};
     every.renderer.render(rest);
     int frames = 0;
-    while (frames < 20 && !fourth.renderer.render(rest).plan.rule(RuleId::keepFrame).applies)
-        ++frames;
+    while (frames < 20 && !fourth.renderer.render(rest).plan.rule(RuleId::keepFrame).applies) ++frames;
     EXPECT_GT(frames, 1);
     EXPECT_LE(frames, 8);
     EXPECT_EQ(every.renderer.readDisplay().bytes, fourth.renderer.readDisplay().bytes);

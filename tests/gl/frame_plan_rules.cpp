@@ -45,7 +45,8 @@ Camera cameraAt(const vec3& eye, const vec3& target = vec3(0.0f))
 
 /// A renderer that plans, and one that draws everything.
 struct Pair {
-    Pair(const Scene& scene, Options o) : options(o), planned(scene, o), full(scene, unplanned(o)), water(scene.water) {}
+    Pair(const Scene& scene, Options o) : options(o), planned(scene, o), full(scene, unplanned(o)), water(scene.water)
+    {}
 
     static Options unplanned(Options options)
     {
@@ -67,7 +68,8 @@ struct Pair {
         full.renderer.render({camera, time, size});
         const Image a = planned.renderer.readDisplay(), b = full.renderer.readDisplay();
         int most = 0;
-        for (std::size_t i = 0; i < b.bytes.size(); ++i) most = std::max(most, std::abs(int(a.bytes[i]) - int(b.bytes[i])));
+        for (std::size_t i = 0; i < b.bytes.size(); ++i)
+            most = std::max(most, std::abs(int(a.bytes[i]) - int(b.bytes[i])));
         EXPECT_LE(most, 1) << "at " << time << " from " << camera.eye.x << ", " << camera.eye.y << ", " << camera.eye.z;
         return stats;
     }
@@ -163,7 +165,8 @@ TEST(FrameHiddenWater, NoFrameIsWrongWhenTheEyeJumps)
     scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}};
     addBox(scene, {-30, -2, 16}, {30, 8, 17}, 0);
     Pair pair(scene, smallOptions());
-    const Camera behind = cameraAt({0, 2, 20}, {0, 1, 0}), before = cameraAt({0, 2, 12}), aside = cameraAt({0, 9.5f, 20});
+    const Camera behind = cameraAt({0, 2, 20}, {0, 1, 0}), before = cameraAt({0, 2, 12}),
+                 aside = cameraAt({0, 9.5f, 20});
     const auto asks = [](const FrameStats& stats) { return stats.plan.rule(RuleId::waterHidden).applies; };
     EXPECT_FALSE(asks(pair.draw(before, 0.0)));
     EXPECT_FALSE(asks(pair.draw(behind, 0.1))) << "nothing hid the water before";
@@ -262,8 +265,8 @@ TEST(FrameLeftOut, AGlowBehindTheEyeIsNotMissed)
     EXPECT_FALSE(pair.draw(cameraAt({0, 2, -7}), 0.2).plan.rule(RuleId::glowOutOfView).applies) << "towards the sun";
 }
 
-// A calm pond far away fills a strip of the picture. Only what its looks may need of the target is drawn; a debug view has
-// all of it.
+// A calm pond far away fills a strip of the picture. Only what its looks may need of the target is drawn; a debug view
+// has all of it.
 TEST(FrameLeftOut, WhatNoWaterOnTheScreenCanMirrorIsNotMissed)
 {
     Scene scene = pond();

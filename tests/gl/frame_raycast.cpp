@@ -19,8 +19,7 @@ namespace {
 using glm::dvec3;
 
 /// Calls a function with U, the refracted direction in still water and the value of each pixel that shows water.
-template <typename Visit>
-int forWater(Studio& studio, const Camera& camera, DebugView view, const Visit& visit)
+template <typename Visit> int forWater(Studio& studio, const Camera& camera, DebugView view, const Visit& visit)
 {
     const Image surface = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
     const Image image = studio.linear(camera, pictureSize, 0.0, view);
@@ -42,16 +41,19 @@ TEST(Raycast, ALevelBedIsMetWhereSnellSays)
     const Scene scene = flatLake(depth, 20.0f);
     const Camera camera = over({0, 1.6f, 6}, {0, -1, 0});
     using March = HeightsOptions::March;
-    for (const auto& [march, combines] : {std::pair(March::pyramid, false), {March::classic, false}, {March::pyramid, true}}) {
+    for (const auto& [march, combines] :
+         {std::pair(March::pyramid, false), {March::classic, false}, {March::pyramid, true}}) {
         Options options = raycastOptions(march);
         if (combines) options.refraction.method = RefractionOptions::Method::combined;
         Studio studio(scene, options);
         for (const DebugView view : {DebugView::positionW, DebugView::positionA}) {
             double worst = 0.0;
-            const int water = forWater(studio, camera, view, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
-                const dvec3 hit = u - refracted * (depth / refracted.y);
-                if (std::max(std::abs(hit.x), std::abs(hit.z)) < 9.5) worst = std::max(worst, glm::distance(hit, dvec3(value)));
-            });
+            const int water =
+                forWater(studio, camera, view, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+                    const dvec3 hit = u - refracted * (depth / refracted.y);
+                    if (std::max(std::abs(hit.x), std::abs(hit.z)) < 9.5)
+                        worst = std::max(worst, glm::distance(hit, dvec3(value)));
+                });
             EXPECT_GT(water, pictureSize.x * pictureSize.y / 2);
             EXPECT_LT(worst, 2.0e-3);
         }
@@ -158,10 +160,11 @@ TEST(Raycast, WhatAClassicMarchStepsOverIsCounted)
     const double share = steppedOver(pool.scene, pool.camera, classic);
     Studio studio(pool.scene, classic);
     int water = 0, passed = 0;
-    water = forWater(studio, pool.camera, DebugView::positionW, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
-        const double t = toBox(u, refracted, pool.lower, pool.upper, 0.0);
-        passed += t >= 0.0 && glm::distance(u, dvec3(value)) > t + 8.0 / 1024.0;
-    });
+    water = forWater(studio, pool.camera, DebugView::positionW,
+                     [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+                         const double t = toBox(u, refracted, pool.lower, pool.upper, 0.0);
+                         passed += t >= 0.0 && glm::distance(u, dvec3(value)) > t + 8.0 / 1024.0;
+                     });
     const double wanted = static_cast<double>(passed) / water;
     EXPECT_GT(wanted, 0.001);
     EXPECT_NEAR(share, wanted, 0.25 * wanted) << "the map's post is wider by up to a texel";

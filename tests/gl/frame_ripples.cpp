@@ -79,7 +79,8 @@ TEST(Ripples, SwitchedOffTheyAreNotThere)
     addNormalMap(rippled, 8, [](const vec2&) { return vec2(0.3f, 0.1f); });
     rippled.water.normalMap.enabled = false;
     Studio without(plain), with(rippled);
-    EXPECT_EQ(with.linear(overTheWater(), pictureSize, time).floats, without.linear(overTheWater(), pictureSize, time).floats);
+    EXPECT_EQ(with.linear(overTheWater(), pictureSize, time).floats,
+              without.linear(overTheWater(), pictureSize, time).floats);
 }
 
 // A map of one tilt is a tilted plane, plain or steepened, with normals of pixels or of vertices.
@@ -122,8 +123,8 @@ TEST(Ripples, FrameAndReferenceAgreeOnAPlaneOverABed)
     Renderer renderer(scene, options, *shaders, profiler);
     const Camera camera = overTheWater();
     const auto truthAt = [&](const WaterBody& water) {
-        return reference::Tracer(scene, water).quantities(
-            {.camera = camera, .time = time, .size = pictureSize, .approximations = {}}, {.photons = 1000});
+        return reference::Tracer(scene, water)
+            .quantities({.camera = camera, .time = time, .size = pictureSize, .approximations = {}}, {.photons = 1000});
     };
     const reference::Picture truth = truthAt(scene.water);
     const WaterQuantities used = readQuantities(renderer, camera, time, pictureSize);
@@ -154,8 +155,7 @@ TEST(Ripples, FarAwayTheyAreRoughness)
     Options options;
     Studio studio(scene, options);
     const Image normals = studio.linear(camera, pictureSize, time, DebugView::normals);
-    for (int x = 0; x < pictureSize.x; ++x)
-        EXPECT_GT(pixel(normals, x, pictureSize.y / 2).y, 0.9999f) << x;
+    for (int x = 0; x < pictureSize.x; ++x) EXPECT_GT(pixel(normals, x, pictureSize.y / 2).y, 0.9999f) << x;
 
     // A rough mirror spreads the sun: beside its image there is light that a smooth one has not.
     scene.sky.radiance = vec3(0.0f);

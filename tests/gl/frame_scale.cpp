@@ -23,8 +23,7 @@ gl::Texture textureOf(ivec2 size, gl::Format format, const Colour& colour)
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
             const vec4 value = colour(x, y);
-            for (int c = 0; c < 4; ++c)
-                texels.push_back(value[c]);
+            for (int c = 0; c < 4; ++c) texels.push_back(value[c]);
         }
     gl::Texture texture({.format = format, .size = size}, "known");
     texture.upload(std::span<const float>(texels));
@@ -74,12 +73,10 @@ TEST(FrameScale, UpscalingIsTheSharedFilter)
                 const vec2 at = (vec2(x, y) + 0.5f) * vec2(source) / vec2(size) - 0.5f;
                 const vec2 base = glm::floor(at);
                 const optics::UpscaleTexels t = texelsAt(source, ivec2(base), discs);
-                const vec3 expected = upscaler == FrameOptions::Upscaler::edge
-                                          ? optics::edgeUpscaled(t, at - base)
-                                          : optics::bilinearUpscaled(t, at - base);
+                const vec3 expected = upscaler == FrameOptions::Upscaler::edge ? optics::edgeUpscaled(t, at - base)
+                                                                               : optics::bilinearUpscaled(t, at - base);
                 const vec3 is = texel(floats, size, x, y);
-                for (int c = 0; c < 3; ++c)
-                    ASSERT_NEAR(is[c], expected[c], 1.5f / 255.0f) << x << ',' << y << ' ' << c;
+                for (int c = 0; c < 3; ++c) ASSERT_NEAR(is[c], expected[c], 1.5f / 255.0f) << x << ',' << y << ' ' << c;
             }
         }
     }
@@ -102,13 +99,12 @@ TEST(FrameScale, RadianceStaysBetweenItsNeighboursAndBesideItsSeam)
         ASSERT_NEAR(is.z, 700.0f, 2.0f);
     }
     // Two pictures: nothing of one is in the other.
-    const gl::Texture pair = textureOf(source, gl::Format::rgba32f,
-                                       [&](int x, int) { return vec4(x < source.x / 2 ? 0.0f : 5.0f); });
+    const gl::Texture pair =
+        textureOf(source, gl::Format::rgba32f, [&](int x, int) { return vec4(x < source.x / 2 ? 0.0f : 5.0f); });
     const std::vector<float> halves = pass.drawLinear(pair, size, options, 2).framebuffer().readFloats();
     const std::vector<float> mixed = pass.drawLinear(pair, size, options, 1).framebuffer().readFloats();
     EXPECT_GT(texel(mixed, size, size.x / 2 - 1, 5).x, 0.01f);
-    for (int x = 0; x < size.x; ++x)
-        ASSERT_NEAR(texel(halves, size, x, 5).x, x < size.x / 2 ? 0.0f : 5.0f, 5e-3f) << x;
+    for (int x = 0; x < size.x; ++x) ASSERT_NEAR(texel(halves, size, x, 5).x, x < size.x / 2 ? 0.0f : 5.0f, 5e-3f) << x;
 }
 
 TEST(FrameScale, TheMeanIsOverAnArea)
@@ -127,12 +123,11 @@ TEST(FrameScale, TheMeanIsOverAnArea)
                 vec3 expected(0.0f);
                 for (int j = 0; j < drawn.y; ++j)
                     for (int i = 0; i < drawn.x; ++i)
-                        expected +=
-                            optics::overlap(static_cast<float>(x) * perPixel.x,
-                                            static_cast<float>(x + 1) * perPixel.x, static_cast<float>(i)) *
-                            optics::overlap(static_cast<float>(y) * perPixel.y,
-                                            static_cast<float>(y + 1) * perPixel.y, static_cast<float>(j)) *
-                            vec3(discs(i, j));
+                        expected += optics::overlap(static_cast<float>(x) * perPixel.x,
+                                                    static_cast<float>(x + 1) * perPixel.x, static_cast<float>(i)) *
+                                    optics::overlap(static_cast<float>(y) * perPixel.y,
+                                                    static_cast<float>(y + 1) * perPixel.y, static_cast<float>(j)) *
+                                    vec3(discs(i, j));
                 expected /= perPixel.x * perPixel.y;
                 EXPECT_LT(glm::distance(texel(floats, size, x, y), expected), 2e-3f) << x << ',' << y;
             }
@@ -159,8 +154,7 @@ TEST(FrameScale, APixelIsTheMeanOfThoseDrawnForIt)
             for (int x = 0; x < size.x; ++x) {
                 vec4 expected(0.0f);
                 for (int j = 0; j < edge; ++j)
-                    for (int i = 0; i < edge; ++i)
-                        expected += pixel(large, edge * x + i, edge * y + j);
+                    for (int i = 0; i < edge; ++i) expected += pixel(large, edge * x + i, edge * y + j);
                 expected /= static_cast<float>(edge * edge);
                 const vec4 is = pixel(mean, x, y);
                 for (int c = 0; c < 3; ++c)
@@ -194,8 +188,8 @@ TEST(FrameScale, EveryPictureHasItsSizeAndNoBadPixels)
     const Scene scene = rippledLake();
     const ivec2 size(45, 31);
     for (const float scale : {0.25f, 0.5f, 0.67f, 0.99f, 1.0f, 1.3f, 2.0f}) {
-        for (const auto output : {StereoOptions::Output::off, StereoOptions::Output::sideBySide,
-                                  StereoOptions::Output::anaglyph}) {
+        for (const auto output :
+             {StereoOptions::Output::off, StereoOptions::Output::sideBySide, StereoOptions::Output::anaglyph}) {
             Options options;
             options.frame.scale = scale;
             options.stereo.output = output;
@@ -211,8 +205,8 @@ TEST(FrameScale, EveryPictureHasItsSizeAndNoBadPixels)
                 if (output == StereoOptions::Output::anaglyph) continue;
                 const Image linear = stage.renderer.readLinear();
                 EXPECT_EQ(ivec2(linear.width, linear.height), whole) << scale;
-                EXPECT_TRUE(std::all_of(linear.floats.begin(), linear.floats.end(),
-                                        [](float f) { return std::isfinite(f); }));
+                EXPECT_TRUE(
+                    std::all_of(linear.floats.begin(), linear.floats.end(), [](float f) { return std::isfinite(f); }));
             }
         }
     }
@@ -222,8 +216,7 @@ TEST(FrameScale, EveryPictureHasItsSizeAndNoBadPixels)
 double difference(const Image& a, const Image& b)
 {
     double sum = 0.0;
-    for (std::size_t i = 0; i < a.bytes.size(); ++i)
-        sum += std::abs(int(a.bytes[i]) - int(b.bytes[i]));
+    for (std::size_t i = 0; i < a.bytes.size(); ++i) sum += std::abs(int(a.bytes[i]) - int(b.bytes[i]));
     return sum / static_cast<double>(a.bytes.size());
 }
 
@@ -275,13 +268,11 @@ TEST(FrameScale, EyesSideBySideAreThoseOfOneEye)
             for (int x = 0; x < size.x; ++x) {
                 const vec4 is = pixel(both, from + x, y), expected = pixel(alone, x, y);
                 for (int c = 0; c < 3; ++c) { // the seam is found in another precision
-                    ASSERT_NEAR(is[c], expected[c], 1e-3f * expected[c])
-                        << eyeName(eye) << ' ' << x << ',' << y;
+                    ASSERT_NEAR(is[c], expected[c], 1e-3f * expected[c]) << eyeName(eye) << ' ' << x << ',' << y;
                     const auto shown = [&](const Image& image, int column) {
                         return int(image.bytes[static_cast<std::size_t>((y * image.width + column) * 3 + c)]);
                     };
-                    ASSERT_EQ(shown(bothShown, from + x), shown(aloneShown, x))
-                        << eyeName(eye) << ' ' << x << ',' << y;
+                    ASSERT_EQ(shown(bothShown, from + x), shown(aloneShown, x)) << eyeName(eye) << ' ' << x << ',' << y;
                 }
             }
         }

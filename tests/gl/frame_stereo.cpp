@@ -68,9 +68,13 @@ Image partOf(const Image& image, int from, int width)
     for (int y = 0; y < image.height; ++y) {
         const auto begin = (static_cast<std::ptrdiff_t>(y) * image.width + from) * image.channels;
         const auto end = begin + static_cast<std::ptrdiff_t>(width) * image.channels;
-        const auto take = [&](const auto& values, auto& to) { to.insert(to.end(), values.begin() + begin, values.begin() + end); };
-        if (image.isFloat()) take(image.floats, part.floats);
-        else take(image.bytes, part.bytes);
+        const auto take = [&](const auto& values, auto& to) {
+            to.insert(to.end(), values.begin() + begin, values.begin() + end);
+        };
+        if (image.isFloat())
+            take(image.floats, part.floats);
+        else
+            take(image.bytes, part.bytes);
     }
     return part;
 }
@@ -270,8 +274,7 @@ TEST(Stereo, SunlightAndCausticsAreDrawnOnce)
         return stats.of(pass).drawCalls;
     };
     const Options two = stereoOf(plain(), StereoOptions::Output::sideBySide);
-    for (const char* pass : {"sunlight", "caustics"})
-        EXPECT_EQ(drawCalls(two, pass), drawCalls(plain(), pass)) << pass;
+    for (const char* pass : {"sunlight", "caustics"}) EXPECT_EQ(drawCalls(two, pass), drawCalls(plain(), pass)) << pass;
     for (const char* pass : {"refraction", "water"})
         EXPECT_EQ(drawCalls(two, pass), 2 * drawCalls(plain(), pass)) << pass;
 }

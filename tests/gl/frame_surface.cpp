@@ -130,7 +130,8 @@ TEST(NoReflection, ShowsTheRefractedBedAlone)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(centre[c], expected, 0.005 * expected);
     EXPECT_EQ(pixel(studio.linear(upright(1.6f), pictureSize, 0.0, DebugView::fresnel), middle.x, middle.y).x, 0.0f);
     // No pixel claims to have mirrored anything.
-    EXPECT_EQ(pixel(studio.linear(upright(1.6f), pictureSize, 0.0, DebugView::reflectionHit), middle.x, middle.y).w, 0.0f);
+    EXPECT_EQ(pixel(studio.linear(upright(1.6f), pictureSize, 0.0, DebugView::reflectionHit), middle.x, middle.y).w,
+              0.0f);
 }
 
 // From below: the sky by n² inside Snell's window, the water's colour outside it.

@@ -41,14 +41,13 @@ public:
     Rays(const Camera& camera, ivec2 size)
         : size_(size), eye_(camera.eye), worldFromView_(glm::inverse(glm::dmat4(viewFromWorld(camera)))),
           up_(std::tan(0.5 * static_cast<double>(camera.verticalFov)))
-    {
-    }
+    {}
     /// From the eye, 1 long along the camera's axis, so that times the near plane's distance it ends on that plane.
     dvec3 through(double x, double y) const
     {
         const double aspect = static_cast<double>(size_.x) / size_.y;
-        return glm::dmat3(worldFromView_) * dvec3((2.0 * (x + 0.5) / size_.x - 1.0) * aspect * up_,
-                                                  (1.0 - 2.0 * (y + 0.5) / size_.y) * up_, -1.0);
+        return glm::dmat3(worldFromView_) *
+               dvec3((2.0 * (x + 0.5) / size_.x - 1.0) * aspect * up_, (1.0 - 2.0 * (y + 0.5) / size_.y) * up_, -1.0);
     }
     const dvec3& eye() const { return eye_; }
 
@@ -233,8 +232,7 @@ public:
         : cells_(size - 1), half_(0.5 * static_cast<double>(water.extent.x))
     {
         for (int z = 0; z < size; ++z)
-            for (int x = 0; x < size; ++x)
-                heights_.push_back(surfaceHeight(water, vec2(at(x), at(z)), time));
+            for (int x = 0; x < size; ++x) heights_.push_back(surfaceHeight(water, vec2(at(x), at(z)), time));
     }
     bool holds(const dvec3& p) const { return std::abs(p.x) <= half_ && std::abs(p.z) <= half_; }
     double height(const dvec3& p) const
@@ -373,19 +371,20 @@ TEST_P(SweepThrough, EveryPixelIsOfItsSide)
                                         (!knowsGreen || std::abs(green - static_cast<double>(value.y)) < 0.01);
                 if (!looksAbove && !looksUnder) {
                     if (++neither <= 10)
-                        ADD_FAILURE() << "step " << step << " pixel " << x << ", " << y << " is of neither side: "
-                                      << value.x << " " << value.y << " " << value.z << ", under " << isUnder
-                                      << ", meets " << meets << ", blue " << blue << ", green " << green;
+                        ADD_FAILURE() << "step " << step << " pixel " << x << ", " << y
+                                      << " is of neither side: " << value.x << " " << value.y << " " << value.z
+                                      << ", under " << isUnder << ", meets " << meets << ", blue " << blue << ", green "
+                                      << green;
                 }
                 // The line itself may fall to either.
                 const dvec3 below = rays.eye() + rays.through(x, y + 1) * static_cast<double>(camera.nearPlane);
                 const double halfPixel = std::abs(mesh.over(below) - mesh.over(from));
                 if (std::abs(mesh.over(from)) > halfPixel && !(isUnder ? looksUnder : looksAbove)) {
                     if (++wrongSide <= 10)
-                        ADD_FAILURE() << "step " << step << " pixel " << x << ", " << y << " is of the wrong side: "
-                                      << value.x << " " << value.y << " " << value.z << ", under " << isUnder
-                                      << ", meets " << meets << ", blue " << blue << ", green " << green
-                                      << ", height " << mesh.over(from);
+                        ADD_FAILURE() << "step " << step << " pixel " << x << ", " << y
+                                      << " is of the wrong side: " << value.x << " " << value.y << " " << value.z
+                                      << ", under " << isUnder << ", meets " << meets << ", blue " << blue << ", green "
+                                      << green << ", height " << mesh.over(from);
                 }
             }
         }
@@ -412,8 +411,8 @@ TEST_P(SweepThrough, NothingFlashes)
         largest = std::max(largest, std::abs(means[i] - means[i - 1]));
         if (i < 2 || i + 2 >= means.size()) continue;
         // The bottom of a valley lies under its neighbours, but not under where they lead.
-        const auto [low, high] = std::minmax({means[i - 1], means[i + 1], 2.0 * means[i - 1] - means[i - 2],
-                                              2.0 * means[i + 1] - means[i + 2]});
+        const auto [low, high] = std::minmax(
+            {means[i - 1], means[i + 1], 2.0 * means[i - 1] - means[i - 2], 2.0 * means[i + 1] - means[i + 2]});
         spike = std::max(spike, std::abs(means[i] - std::clamp(means[i], low, high)));
     }
     // A step of 1 cm moves the line over a twelfth of the near plane; measured: 0.13 at most.

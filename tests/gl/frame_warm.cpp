@@ -1,8 +1,8 @@
 // No program is built during a flight, also not where it goes under water or turns away from it.
 #include "gl_test.h"
 
-#include "gl/shader_library.h"
 #include "base/files.h"
+#include "gl/shader_library.h"
 #include "render/warm_up.h"
 #include "scene/flight.h"
 #include "scene/scene_file.h"
@@ -63,9 +63,12 @@ TEST(FrameWarm, NorDoRulesBuildOneWhenTheyApply)
     scene.sun = Sun{normalize(vec3(0.3f, 1.0f, -0.4f)), vec3(2.0f), false};
     scene.water.waves = {{0.02f, 2.0f, 0.4f, 0.0f, 0.0f}};
     std::vector<Camera> cameras;
-    for (const auto& [eye, target] : {std::pair(vec3(0, 3, 8), vec3(0)), {vec3(0, 3, 8), vec3(0, 9, 20)},
-                                      {vec3(5, 6, 5), vec3(5.1f, 0, 5)}, {vec3(0, 0.4f, 8), vec3(-3, 0, -3)},
-                                      {vec3(0, -0.6f, 8), vec3(-3, 0, -3)}, {vec3(0, -0.6f, 2), vec3(0, -2, -3)}}) {
+    for (const auto& [eye, target] : {std::pair(vec3(0, 3, 8), vec3(0)),
+                                      {vec3(0, 3, 8), vec3(0, 9, 20)},
+                                      {vec3(5, 6, 5), vec3(5.1f, 0, 5)},
+                                      {vec3(0, 0.4f, 8), vec3(-3, 0, -3)},
+                                      {vec3(0, -0.6f, 8), vec3(-3, 0, -3)},
+                                      {vec3(0, -0.6f, 2), vec3(0, -2, -3)}}) {
         Camera camera;
         camera.eye = eye;
         camera.target = target;

@@ -9,10 +9,8 @@
 
 #include <type_traits>
 
-namespace tarn::gl
-{
-namespace
-{
+namespace tarn::gl {
+namespace {
 
 static_assert(!std::is_copy_constructible_v<Object> && std::is_nothrow_move_constructible_v<Object>);
 
@@ -48,10 +46,7 @@ TEST(GlContext, CheckErrorsNamesPlaceAndError)
     EXPECT_NO_THROW(checkErrors("the next pass"));
 }
 
-TEST(GlContext, HeadlessContextNeedsPixels)
-{
-    EXPECT_THROW(makeHeadlessContext({0, 4}), Error);
-}
+TEST(GlContext, HeadlessContextNeedsPixels) { EXPECT_THROW(makeHeadlessContext({0, 4}), Error); }
 
 TEST(GlObject, MovesItsNameAndDeletesItOnce)
 {

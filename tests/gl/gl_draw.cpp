@@ -11,14 +11,11 @@
 #include <cmath>
 #include <cstdint>
 
-namespace tarn::gl
-{
-namespace
-{
+namespace tarn::gl {
+namespace {
 
 /// Quads at chosen depths over a target of 4x1 pixels.
-class GlDraw : public testing::Test
-{
+class GlDraw : public testing::Test {
 protected:
     struct Vertex {
         vec2 position;
@@ -27,12 +24,11 @@ protected:
 
     GlDraw()
     {
-        folder_.write("quad.vert",
-                      "layout(location = 0) in vec2 position;\nlayout(location = 1) in vec4 tint;\n"
-                      "layout(location = 2) in float shift;\n"
-                      "uniform float depth;\nuniform float clip;\nout vec4 tintV;\n"
-                      "void main() { gl_Position = vec4(position.x + shift, position.y, depth, 1.0);\n"
-                      "  gl_ClipDistance[0] = clip; tintV = tint; }\n");
+        folder_.write("quad.vert", "layout(location = 0) in vec2 position;\nlayout(location = 1) in vec4 tint;\n"
+                                   "layout(location = 2) in float shift;\n"
+                                   "uniform float depth;\nuniform float clip;\nout vec4 tintV;\n"
+                                   "void main() { gl_Position = vec4(position.x + shift, position.y, depth, 1.0);\n"
+                                   "  gl_ClipDistance[0] = clip; tintV = tint; }\n");
         folder_.write("quad.frag", "in vec4 tintV;\nout vec4 colour;\nvoid main() { colour = tintV; }\n");
         program_ = library_.program("quad", "quad.vert", "quad.frag");
         program_->set("clip", 1.0f);

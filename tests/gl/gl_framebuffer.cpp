@@ -9,10 +9,8 @@
 
 #include <gtest/gtest.h>
 
-namespace tarn::gl
-{
-namespace
-{
+namespace tarn::gl {
+namespace {
 
 /// The message of the Error that building the framebuffer throws.
 std::string complaint(std::span<const Attachment> attachments)
@@ -37,12 +35,10 @@ TEST(GlFramebuffer, BadCombinationsAreNamed)
     EXPECT_EQ(complaint(std::vector<Attachment>{colour, small}),
               "framebuffer \"reflection\" cannot be drawn into: the attachments differ in size (attachments: "
               "\"mirrored\" rgba16f 8x8, \"depth of old size\" depth24 4x8)");
-    EXPECT_EQ(
-        complaint(std::vector<Attachment>{colour, samples}),
-        "framebuffer \"reflection\" cannot be drawn into: the attachments differ in samples (attachments: "
-        "\"mirrored\" rgba16f 8x8, \"samples\" depth24 8x8 4 samples)");
-    EXPECT_NE(complaint(std::vector<Attachment>{depth, depth}).find("two depth attachments"),
-              std::string::npos);
+    EXPECT_EQ(complaint(std::vector<Attachment>{colour, samples}),
+              "framebuffer \"reflection\" cannot be drawn into: the attachments differ in samples (attachments: "
+              "\"mirrored\" rgba16f 8x8, \"samples\" depth24 8x8 4 samples)");
+    EXPECT_NE(complaint(std::vector<Attachment>{depth, depth}).find("two depth attachments"), std::string::npos);
     EXPECT_EQ(complaint(std::vector<Attachment>{colour, depth}), "");
 }
 
@@ -50,8 +46,7 @@ TEST(GlFramebuffer, EveryFormatCanBeDrawnInto)
 {
     for (int i = 0; i <= static_cast<int>(Format::depth32f); ++i) {
         const auto format = static_cast<Format>(i);
-        const Texture texture({.format = format, .size = {4, 4}, .filter = Filter::nearest},
-                              formatName(format));
+        const Texture texture({.format = format, .size = {4, 4}, .filter = Filter::nearest}, formatName(format));
         const Framebuffer framebuffer(formatName(format), {texture});
         if (isDepth(format))
             framebuffer.clearDepth(0.5f);
@@ -76,8 +71,7 @@ TEST(GlFramebuffer, ClearsOneOutputWhateverTheMasksAre)
     glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
     EXPECT_EQ(mask, GL_FALSE) << "the mask is put back";
 
-    EXPECT_EQ(framebuffer.readFloats(0),
-              (std::vector<float>{1, 2, 3, 4, 1, 2, 3, 4, 1, 2, 3, 4, 1, 2, 3, 4}));
+    EXPECT_EQ(framebuffer.readFloats(0), (std::vector<float>{1, 2, 3, 4, 1, 2, 3, 4, 1, 2, 3, 4, 1, 2, 3, 4}));
     EXPECT_EQ(framebuffer.readFloats(1), std::vector<float>(16, -1.0f));
     EXPECT_EQ(framebuffer.readDepth(), std::vector<float>(4, 0.125f));
     EXPECT_THROW(framebuffer.readFloats(2), Error);
@@ -161,10 +155,8 @@ TEST(GlTarget, BadOneSaysWhichAndCanBeMended)
 TEST(GlTarget, ResolvesSamplesOfAllOutputsAndDepth)
 {
     Target target("msaa");
-    target.ensure({.size = {4, 4},
-                   .colours = {Format::rgba16f, Format::rg32f},
-                   .depth = Format::depth32f,
-                   .samples = 4});
+    target.ensure(
+        {.size = {4, 4}, .colours = {Format::rgba16f, Format::rg32f}, .depth = Format::depth32f, .samples = 4});
     ASSERT_TRUE(target.isMultisampled());
     target.drawFramebuffer().clearColour(vec4(0.25f, 0.5f, 1.0f, 2.0f), 0);
     target.drawFramebuffer().clearColour(vec4(-3.0f, 4.0f, 0.0f, 0.0f), 1);

@@ -13,23 +13,15 @@
 
 // What Mesa and LLVM keep until the process ends is not ours to free.
 extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions()
-{
-    return "leak:libOSMesa\nleak:libLLVM\n";
-}
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\nleak:libLLVM\n"; }
 
-namespace tarn::test
-{
+namespace tarn::test {
 
-namespace
-{
+namespace {
 gl::Context* context = nullptr;
 }
 
-gl::Context& testContext()
-{
-    return *context;
-}
+gl::Context& testContext() { return *context; }
 
 const char* const fullscreenVertex = R"(
 void main()
@@ -63,10 +55,7 @@ void ShaderFolder::write(const std::string& file, const std::string& text)
     std::filesystem::last_write_time(root_ / file, now + std::chrono::seconds(++writes_));
 }
 
-void ShaderFolder::remove(const std::string& file)
-{
-    std::filesystem::remove(root_ / file);
-}
+void ShaderFolder::remove(const std::string& file) { std::filesystem::remove(root_ / file); }
 
 vec4 evaluate(const gl::Program& program)
 {
@@ -80,12 +69,10 @@ vec4 evaluate(const gl::Program& program)
     return {values[0], values[1], values[2], values[3]};
 }
 
-namespace
-{
+namespace {
 
 /// Fails a test in which OpenGL complained, by debug message or by glGetError.
-class NoGlErrors : public testing::EmptyTestEventListener
-{
+class NoGlErrors : public testing::EmptyTestEventListener {
     void OnTestStart(const testing::TestInfo&) override { before_ = gl::debugErrorCount(); }
     void OnTestEnd(const testing::TestInfo&) override
     {

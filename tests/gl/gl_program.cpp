@@ -10,14 +10,11 @@
 #include <array>
 #include <cstddef>
 
-namespace tarn::gl
-{
-namespace
-{
+namespace tarn::gl {
+namespace {
 
 /// A library on a folder of its own, and a short way to a program from the body of a fragment shader.
-class GlProgram : public testing::Test
-{
+class GlProgram : public testing::Test {
 protected:
     GlProgram() { folder_.write("full.vert", test::fullscreenVertex); }
 
@@ -47,13 +44,13 @@ using GlShaderLibrary = GlProgram;
 
 TEST_F(GlProgram, UniformsOfEveryTypeArrive)
 {
-    const auto program = make(
-        "uniform bool b; uniform int i; uniform float f; uniform vec2 v2; uniform vec3 v3; uniform vec4 v4;\n"
-        "uniform ivec2 i2; uniform ivec3 i3; uniform ivec4 i4; uniform mat3 m3; uniform mat4 m4; uniform "
-        "float list[3];\n"
-        "void main() { colour = vec4(b ? float(i) + f : -1.0, v2.y + v3.z + v4.w,\n"
-        "    float(i2.y + i3.z + i4.w) + m3[2][1] + m4[3][0], list[0] + 10.0 * list[1] + 100.0 * list[2]); "
-        "}\n");
+    const auto program =
+        make("uniform bool b; uniform int i; uniform float f; uniform vec2 v2; uniform vec3 v3; uniform vec4 v4;\n"
+             "uniform ivec2 i2; uniform ivec3 i3; uniform ivec4 i4; uniform mat3 m3; uniform mat4 m4; uniform "
+             "float list[3];\n"
+             "void main() { colour = vec4(b ? float(i) + f : -1.0, v2.y + v3.z + v4.w,\n"
+             "    float(i2.y + i3.z + i4.w) + m3[2][1] + m4[3][0], list[0] + 10.0 * list[1] + 100.0 * list[2]); "
+             "}\n");
     program->set("b", true);
     program->set("i", 3);
     program->set("f", 0.5f);
@@ -73,8 +70,7 @@ TEST_F(GlProgram, UniformsOfEveryTypeArrive)
 
 TEST_F(GlProgram, ValuesMayBeSetBeforeOrAfterUseAndStay)
 {
-    const auto program =
-        make("uniform float a; uniform float b;\nvoid main() { colour = vec4(a, b, 0.0, 1.0); }\n");
+    const auto program = make("uniform float a; uniform float b;\nvoid main() { colour = vec4(a, b, 0.0, 1.0); }\n");
     const auto other = library_.program("other", "full.vert", "test.frag");
     const Uniform<float> a = program->uniform<float>("a");
     a.set(1.0f);
@@ -103,8 +99,7 @@ TEST_F(GlProgram, UnusedUniformsAreNotedOnce)
     const auto program = make("void main() { colour = vec4(1.0); }\n");
     log::setLevel(log::Level::debug);
     const log::Capture capture;
-    for (int frame = 0; frame < 3; ++frame)
-        program->set("exposre", 1.0f);
+    for (int frame = 0; frame < 3; ++frame) program->set("exposre", 1.0f);
     log::setLevel(log::Level::info);
     ASSERT_EQ(capture.messages().size(), 1u);
     EXPECT_EQ(capture.messages().front().text, "program \"test\" does not use a uniform exposre");
@@ -138,10 +133,8 @@ struct TestBlock {
 
 TEST_F(GlProgram, UniformBlocksArriveAsLaidOut)
 {
-    const std::string block =
-        "UNIFORM_BLOCK(ViewBlock) { vec3 direction; float time; mat4 matrix; vec4 list[3]; };\n";
-    const auto program =
-        make(block + "void main() { colour = vec4(direction.z, time, matrix[3][1], list[2].w); }\n");
+    const std::string block = "UNIFORM_BLOCK(ViewBlock) { vec3 direction; float time; mat4 matrix; vec4 list[3]; };\n";
+    const auto program = make(block + "void main() { colour = vec4(direction.z, time, matrix[3][1], list[2].w); }\n");
     EXPECT_EQ(program->blockSize("ViewBlock"), static_cast<int>(sizeof(TestBlock)));
     EXPECT_EQ(program->blockSize("FrameBlock"), std::nullopt);
     EXPECT_EQ(program->blockOffset("time"), static_cast<int>(offsetof(TestBlock, time)));
@@ -150,8 +143,7 @@ TEST_F(GlProgram, UniformBlocksArriveAsLaidOut)
 
     UniformBuffer<TestBlock> first(1, "first view");
     UniformBuffer<TestBlock> second(1, "second view");
-    TestBlock value{
-        {9, 9, 1}, 2.0f, glm::translate(mat4(1.0f), vec3(9, 3, 9)), {vec4(9), vec4(9), vec4(9, 9, 9, 4)}};
+    TestBlock value{{9, 9, 1}, 2.0f, glm::translate(mat4(1.0f), vec3(9, 3, 9)), {vec4(9), vec4(9), vec4(9, 9, 9, 4)}};
     first.update(value);
     value.time = 20.0f;
     second.update(value);
@@ -162,8 +154,7 @@ TEST_F(GlProgram, UniformBlocksArriveAsLaidOut)
 
 TEST_F(GlProgram, BufferPartsAreReplacedWithinBounds)
 {
-    const auto program =
-        make("UNIFORM_BLOCK(ViewBlock) { vec4 a; vec4 b; };\nvoid main() { colour = a + b; }\n");
+    const auto program = make("UNIFORM_BLOCK(ViewBlock) { vec4 a; vec4 b; };\nvoid main() { colour = a + b; }\n");
     Buffer buffer("two vectors", Buffer::Usage::dynamic);
     const std::array<vec4, 2> values = {vec4(1.0f), vec4(2.0f)};
     buffer.upload(std::span<const vec4>(values));
@@ -215,11 +206,9 @@ TEST_F(GlShaderLibrary, CompileErrorsInIncludesNameTheInclude)
 TEST_F(GlShaderLibrary, LinkErrorsNameTheFiles)
 {
     folder_.write("varying.vert", std::string("out vec2 normalW;\n") + test::fullscreenVertex);
-    folder_.write("varying.frag",
-                  "in vec3 normalW;\nout vec4 colour;\nvoid main() { colour = vec4(normalW, 1.0); }\n");
+    folder_.write("varying.frag", "in vec3 normalW;\nout vec4 colour;\nvoid main() { colour = vec4(normalW, 1.0); }\n");
     const std::string message = complaint([&] { library_.program("pier", "varying.vert", "varying.frag"); });
-    EXPECT_TRUE(message.starts_with("program \"pier\" (varying.vert with varying.frag) does not link: "))
-        << message;
+    EXPECT_TRUE(message.starts_with("program \"pier\" (varying.vert with varying.frag) does not link: ")) << message;
     EXPECT_NE(message.find("normalW"), std::string::npos) << message;
 }
 

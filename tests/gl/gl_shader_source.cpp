@@ -5,10 +5,8 @@
 
 #include <gtest/gtest.h>
 
-namespace tarn::gl
-{
-namespace
-{
+namespace tarn::gl {
+namespace {
 
 std::string complaint(const test::ShaderFolder& folder, const std::string& file)
 {
@@ -30,15 +28,14 @@ TEST(GlShaderSource, IncludesEachFileOnceAndKeepsCount)
     test::ShaderFolder folder;
     folder.write("shared/a.glsl", "#include \"shared/b.glsl\"\nfloat a;\n");
     folder.write("shared/b.glsl", "float b;\n");
-    folder.write(
-        "main.frag",
-        "// first\n#include \"shared/a.glsl\"\n  #  include \"shared/../shared/b.glsl\" // again\nlast\n");
+    folder.write("main.frag",
+                 "// first\n#include \"shared/a.glsl\"\n  #  include \"shared/../shared/b.glsl\" // again\nlast\n");
     const ShaderSource source = assembleShader(folder.root(), "main.frag", {{"STEPS", "8"}, {"FLAT", ""}});
 
     EXPECT_TRUE(source.text.starts_with("#version 330 core\n#define STEPS 8\n#define FLAT \n#line 1 0\n"))
         << source.text;
-    EXPECT_EQ(source.files, (std::vector<std::string>{"shared/glsl_prelude.glsl", "main.frag",
-                                                      "shared/a.glsl", "shared/b.glsl"}));
+    EXPECT_EQ(source.files,
+              (std::vector<std::string>{"shared/glsl_prelude.glsl", "main.frag", "shared/a.glsl", "shared/b.glsl"}));
     EXPECT_TRUE(source.text.ends_with("#line 100001 1\n// first\n#line 200001 2\n#line 300001 3\nfloat b;\n"
                                       "#line 200002 2\nfloat a;\n#line 100003 1\n\nlast\n"))
         << source.text;
@@ -47,9 +44,8 @@ TEST(GlShaderSource, IncludesEachFileOnceAndKeepsCount)
 TEST(GlShaderSource, IncludesInCommentsStayComments)
 {
     test::ShaderFolder folder;
-    folder.write("main.frag",
-                 "/* one\n#include \"nowhere.glsl\"\n*/\n// #include \"nowhere.glsl\"\nfloat x; // /*\n"
-                 "#include \"shared/b.glsl\"\n");
+    folder.write("main.frag", "/* one\n#include \"nowhere.glsl\"\n*/\n// #include \"nowhere.glsl\"\nfloat x; // /*\n"
+                              "#include \"shared/b.glsl\"\n");
     folder.write("shared/b.glsl", "float b;\n");
     const ShaderSource source = assembleShader(folder.root(), "main.frag", {});
     EXPECT_NE(source.text.find("float b;"), std::string::npos);
@@ -79,8 +75,7 @@ TEST(GlShaderSource, MistakesNameTheirPlace)
               "shaders/missing.frag:3: no shader file \"shared/none.glsl\" in " + root);
     EXPECT_EQ(complaint(folder, "none.frag"), "no shader file \"none.frag\" in " + root);
     EXPECT_EQ(complaint(folder, "shared"), "no shader file \"shared\" in " + root) << "a folder";
-    EXPECT_TRUE(
-        complaint(folder, "bare.frag").starts_with("shaders/bare.frag:1: #include wants a file in quotes"));
+    EXPECT_TRUE(complaint(folder, "bare.frag").starts_with("shaders/bare.frag:1: #include wants a file in quotes"));
     EXPECT_TRUE(complaint(folder, "version.frag").starts_with("shaders/version.frag:2: remove #version"));
 }
 
@@ -94,8 +89,7 @@ TEST(GlShaderSource, AFileThatIncludesItselfEnds)
 
 TEST(GlShaderSource, NamesFilesInTheLogsOfAllDrivers)
 {
-    EXPECT_EQ(named("0:100012(5): error: `foo' undeclared"),
-              "shaders/passes/water.frag:12: `foo' undeclared");
+    EXPECT_EQ(named("0:100012(5): error: `foo' undeclared"), "shaders/passes/water.frag:12: `foo' undeclared");
     EXPECT_EQ(named("1(100012) : error C1008: undefined variable \"foo\""),
               "shaders/passes/water.frag:12: error C1008: undefined variable \"foo\"");
     EXPECT_EQ(named("ERROR: 1:100012: Use of undeclared identifier 'foo'"),

@@ -12,15 +12,13 @@
 #include <memory>
 #include <string>
 
-namespace tarn::test
-{
+namespace tarn::test {
 
 /// The context that the tests run in.
 gl::Context& testContext();
 
 /// A folder of shaders that lives as long as the test, with the real prelude in it.
-class ShaderFolder
-{
+class ShaderFolder {
 public:
     ShaderFolder();
     ~ShaderFolder();

@@ -10,10 +10,8 @@
 #include <functional>
 #include <numeric>
 
-namespace tarn::gl
-{
-namespace
-{
+namespace tarn::gl {
+namespace {
 
 std::string messageOf(const std::function<void()>& action)
 {
@@ -73,8 +71,7 @@ TEST(GlTexture, DepthComesBack)
 
 TEST(GlTexture, MipmapsAverage)
 {
-    Texture texture({.format = Format::r32f, .size = {4, 2}, .mipmaps = true, .anisotropy = 64.0f},
-                    "mipmapped");
+    Texture texture({.format = Format::r32f, .size = {4, 2}, .mipmaps = true, .anisotropy = 64.0f}, "mipmapped");
     texture.upload(std::vector<float>{1, 3, 5, 7, 1, 3, 5, 7});
     texture.generateMipmaps();
     EXPECT_EQ(texture.levels(), 3);
@@ -86,8 +83,7 @@ TEST(GlTexture, MipmapsAverage)
 TEST(GlTexture, CubeFacesAreSeparate)
 {
     Texture cube({.kind = TextureKind::cube, .format = Format::r32f, .size = {2, 2}}, "cube");
-    for (int face = 0; face < 6; ++face)
-        cube.upload(std::vector<float>(4, static_cast<float>(face)), 0, face);
+    for (int face = 0; face < 6; ++face) cube.upload(std::vector<float>(4, static_cast<float>(face)), 0, face);
     for (int face = 0; face < 6; ++face) {
         EXPECT_EQ(cube.readBack(face), std::vector<float>(4, static_cast<float>(face)));
     }
@@ -97,8 +93,7 @@ TEST(GlTexture, LayersAreSeparate)
 {
     Texture array({.kind = TextureKind::array, .format = Format::r32f, .size = {2, 2}, .layers = 3}, "array");
     EXPECT_EQ(array.faces(), 3);
-    for (int layer = 0; layer < 3; ++layer)
-        array.upload(std::vector<float>(4, static_cast<float>(layer)), 0, layer);
+    for (int layer = 0; layer < 3; ++layer) array.upload(std::vector<float>(4, static_cast<float>(layer)), 0, layer);
     for (const int layer : {2, 0}) {
         const Framebuffer target("layer", {{array, 0, layer}});
         target.clearColour(vec4(10.0f + static_cast<float>(layer)));
@@ -111,10 +106,7 @@ TEST(GlTexture, LayersAreSeparate)
 
 TEST(GlTexture, ImpossibleOnesAreNamed)
 {
-    EXPECT_EQ(messageOf([] {
-                  Texture({.size = {0, 4}}, "bark");
-              }),
-              "texture \"bark\" (rgba8 0x4): it has no pixels");
+    EXPECT_EQ(messageOf([] { Texture({.size = {0, 4}}, "bark"); }), "texture \"bark\" (rgba8 0x4): it has no pixels");
     EXPECT_EQ(messageOf([] {
                   Texture({.kind = TextureKind::cube, .size = {4, 2}}, "sky");
               }),
@@ -125,10 +117,7 @@ TEST(GlTexture, ImpossibleOnesAreNamed)
                   Texture({.size = {1, 1}, .samples = 1000}, "fine");
               }).find("1000 samples"),
               std::string::npos);
-    EXPECT_NE(messageOf([] {
-                  Texture({.size = {1, 1}, .compare = true}, "c");
-              }).find("only depth"),
-              std::string::npos);
+    EXPECT_NE(messageOf([] { Texture({.size = {1, 1}, .compare = true}, "c"); }).find("only depth"), std::string::npos);
 }
 
 TEST(GlTexture, UploadsMustFit)
@@ -136,8 +125,7 @@ TEST(GlTexture, UploadsMustFit)
     Texture texture({.format = Format::rg8, .size = {2, 2}}, "stones");
     EXPECT_EQ(messageOf([&] { texture.upload(std::vector<std::uint8_t>(7)); }),
               "texture \"stones\": 7 values for 2x2 texels with 2 channels, 8 expected");
-    EXPECT_NE(messageOf([&] { texture.upload(std::vector<std::uint8_t>(8), 0, 1); }).find("face 1"),
-              std::string::npos);
+    EXPECT_NE(messageOf([&] { texture.upload(std::vector<std::uint8_t>(8), 0, 1); }).find("face 1"), std::string::npos);
 }
 
 TEST(GlTexture, UploadsLeaveTheBindingsOfAPassAlone)

@@ -173,8 +173,8 @@ TEST(DraftRenderer, DrawsWhatThePictureWillShow)
     DraftRenderer draft;
     draft.show(DraftScene(*uploaded));
     // From the air, and from under water up through the surface.
-    for (const auto& [eye, target] : {std::pair(vec3(2.0f, 3.0f, 8.0f), vec3(0.0f)),
-                                      std::pair(vec3(0.0f, -1.8f, 3.0f), vec3(0.0f, 1.0f, 1.0f))}) {
+    for (const auto& [eye, target] :
+         {std::pair(vec3(2.0f, 3.0f, 8.0f), vec3(0.0f)), std::pair(vec3(0.0f, -1.8f, 3.0f), vec3(0.0f, 1.0f, 1.0f))}) {
         request.camera.eye = eye;
         request.camera.target = target;
         ASSERT_TRUE(draft.draw(request));
@@ -203,8 +203,8 @@ TEST(FrameThread, ThrowsWhereThePictureIsTakenWhatItsSourceThrew)
         }
     };
     FrameThread whileMade(
-        testContext().makeShared(), [](const StopSignal&) -> std::unique_ptr<FrameSource> { throw Error("no picture today"); },
-        [] {});
+        testContext().makeShared(),
+        [](const StopSignal&) -> std::unique_ptr<FrameSource> { throw Error("no picture today"); }, [] {});
     EXPECT_TRUE(fails(whileMade));
     FrameThread whileDrawing(
         testContext().makeShared(), [](const StopSignal&) { return std::make_unique<Throwing>(); }, [] {});
@@ -321,7 +321,8 @@ TEST(FrameThread, BuildsInASecondThread)
     thread.ask(request);
     EXPECT_TRUE(becomes([&] { return thread.take(); }));
     FrameRequest other = request;
-    other.options.detail.pixels = 2.0f; // asks for something else of the scene, which the second thread may be drawing from
+    other.options.detail.pixels =
+        2.0f; // asks for something else of the scene, which the second thread may be drawing from
     other.options.reflection.enabled = false;
     thread.ask(other);
     EXPECT_TRUE(becomes([&] { return thread.answered() == 2 && thread.isIdle(); }));

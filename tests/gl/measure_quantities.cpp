@@ -92,8 +92,7 @@ TEST(Quantities, OfStillWaterAreTheFormulas)
     EXPECT_GT(agreement.both, used.pixels() / 2);
 
     ASSERT_TRUE(used.caustics);
-    addCausticsFigures(figures, *used.caustics,
-                       [&](const vec2&) { return vec3(static_cast<float>(light)); });
+    addCausticsFigures(figures, *used.caustics, [&](const vec2&) { return vec3(static_cast<float>(light)); });
     EXPECT_LT(figures.causticsRmse, 0.02);
     EXPECT_NEAR(figures.causticsEnergy, 1.0, 0.01);
     const Image map = errorMap(ErrorKind::caustics, used, truth);

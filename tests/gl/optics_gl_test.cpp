@@ -23,10 +23,8 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 constexpr int side = 64;
 
@@ -41,14 +39,8 @@ struct Case {
     float tolerance = 2e-6f;
 };
 
-vec3 xyz(const vec4& v)
-{
-    return vec3(v);
-}
-vec4 wide(const vec3& v, float w = 0.0f)
-{
-    return {v, w};
-}
+vec3 xyz(const vec4& v) { return vec3(v); }
+vec4 wide(const vec3& v, float w = 0.0f) { return {v, w}; }
 
 /// a.xyz, b.xyz, c.xyz: unit vectors with a positive y, grazing ones among them. The w are 0..1.
 std::vector<Inputs> makeInputs()
@@ -61,20 +53,18 @@ std::vector<Inputs> makeInputs()
         return vec4(r * std::cos(azimuth), y, r * std::sin(azimuth), unit(random));
     };
     std::vector<Inputs> inputs(side * side);
-    for (Inputs& input : inputs)
-        input = {direction(), direction(), direction()};
+    for (Inputs& input : inputs) input = {direction(), direction(), direction()};
     return inputs;
 }
 
-class OpticsGl : public testing::Test
-{
+class OpticsGl : public testing::Test {
 protected:
     OpticsGl()
     {
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
-             {"blocks", "refraction", "fresnel_table", "depth", "trigonometry", "waves", "normal_map", "intersection", "reflection", "lighting",
-              "tonemap", "anaglyph", "sunlight"}) {
+             {"blocks", "refraction", "fresnel_table", "depth", "trigonometry", "waves", "normal_map", "intersection",
+              "reflection", "lighting", "tonemap", "anaglyph", "sunlight"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
             includes_ += "#include \"" + name + "\"\n";
@@ -85,10 +75,8 @@ protected:
     {
         std::vector<float> values;
         for (const Inputs& input : inputs)
-            for (int i = 0; i < 4; ++i)
-                values.push_back((input.*member)[i]);
-        gl::Texture result(
-            {.format = gl::Format::rgba32f, .size = {side, side}, .filter = gl::Filter::nearest}, label);
+            for (int i = 0; i < 4; ++i) values.push_back((input.*member)[i]);
+        gl::Texture result({.format = gl::Format::rgba32f, .size = {side, side}, .filter = gl::Filter::nearest}, label);
         result.upload(values);
         return result;
     }
@@ -140,8 +128,8 @@ protected:
             if (error <= test.tolerance) continue; // false for NaN too
             if (++wrong > 3) continue;
             ADD_FAILURE() << test.name << " at input " << i << ": GPU " << gpu[i].x << ' ' << gpu[i].y << ' '
-                          << gpu[i].z << ' ' << gpu[i].w << ", C++ " << cpu.x << ' ' << cpu.y << ' ' << cpu.z
-                          << ' ' << cpu.w;
+                          << gpu[i].z << ' ' << gpu[i].w << ", C++ " << cpu.x << ' ' << cpu.y << ' ' << cpu.z << ' '
+                          << cpu.w;
         }
         EXPECT_EQ(wrong, 0) << test.name;
         // A function that the inputs leave constant would agree whatever it did.
@@ -151,8 +139,7 @@ protected:
     void check(const std::vector<Case>& cases)
     {
         const std::vector<Inputs> inputs = makeInputs();
-        for (const Case& test : cases)
-            check(test, inputs);
+        for (const Case& test : cases) check(test, inputs);
     }
 
     test::ShaderFolder folder_;
@@ -166,14 +153,12 @@ TEST_F(OpticsGl, Refraction)
         {"refractRay in", "vec4(refractRay(-a.xyz, vec3(0.0, 1.0, 0.0), 1.0 / 1.33), 0.0)",
          [](const Inputs& i) { return wide(refractRay(-xyz(i.a), vec3(0, 1, 0), 1.0f / 1.33f)); }},
         // On the way out, away from the critical angle, where the square root magnifies any rounding.
-        {"refractRay out",
-         "a.y > 0.67 ? vec4(refractRay(-a.xyz, vec3(0.0, 1.0, 0.0), 1.33), 0.0) : vec4(a.y)",
+        {"refractRay out", "a.y > 0.67 ? vec4(refractRay(-a.xyz, vec3(0.0, 1.0, 0.0), 1.33), 0.0) : vec4(a.y)",
          [](const Inputs& i) {
              return i.a.y > 0.67f ? wide(refractRay(-xyz(i.a), vec3(0, 1, 0), 1.33f)) : vec4(i.a.y);
          },
          1e-5f},
-        {"total reflection",
-         "a.y < 0.65 ? vec4(refractRay(-a.xyz, vec3(0.0, 1.0, 0.0), 1.33), 1.0) : vec4(a.y)",
+        {"total reflection", "a.y < 0.65 ? vec4(refractRay(-a.xyz, vec3(0.0, 1.0, 0.0), 1.33), 1.0) : vec4(a.y)",
          [](const Inputs& i) { return i.a.y < 0.65f ? vec4(0, 0, 0, 1) : vec4(i.a.y); }},
         {"reflectRay", "vec4(reflectRay(-a.xyz, b.xyz), 0.0)",
          [](const Inputs& i) { return wide(reflectRay(-xyz(i.a), xyz(i.b))); }},
@@ -181,11 +166,9 @@ TEST_F(OpticsGl, Refraction)
          [](const Inputs& i) {
              return vec4(fresnelExact(i.a.y, 1.0f / 1.33f), fresnelExact(i.b.y, 1.0f / 1.31f), 0, 0);
          }},
-        {"fresnelSchlick",
-         "vec4(fresnelSchlick(a.y, 1.33, 5.0), fresnelSchlick(b.y, 1.31, 0.5 + 8.0 * b.w), 0.0, 0.0)",
+        {"fresnelSchlick", "vec4(fresnelSchlick(a.y, 1.33, 5.0), fresnelSchlick(b.y, 1.31, 0.5 + 8.0 * b.w), 0.0, 0.0)",
          [](const Inputs& i) {
-             return vec4(fresnelSchlick(i.a.y, 1.33f, 5.0f),
-                         fresnelSchlick(i.b.y, 1.31f, 0.5f + 8.0f * i.b.w), 0, 0);
+             return vec4(fresnelSchlick(i.a.y, 1.33f, 5.0f), fresnelSchlick(i.b.y, 1.31f, 0.5f + 8.0f * i.b.w), 0, 0);
          },
          1e-6f},
         {"fresnelTable",
@@ -198,7 +181,8 @@ TEST_F(OpticsGl, Refraction)
          }},
         {"beerLambert", "vec4(beerLambert(a.xyz * a.xyz, 30.0 * a.w), 0.0)",
          [](const Inputs& i) { return wide(beerLambert(xyz(i.a) * xyz(i.a), 30.0f * i.a.w)); }},
-        {"linearAttenuation", "vec4(linearAttenuation(9.0 * a.w, 7.5), linearAttenuation(a.w - 0.5, 0.1 + b.w), 0.0, 0.0)",
+        {"linearAttenuation",
+         "vec4(linearAttenuation(9.0 * a.w, 7.5), linearAttenuation(a.w - 0.5, 0.1 + b.w), 0.0, 0.0)",
          [](const Inputs& i) {
              return vec4(linearAttenuation(9.0f * i.a.w, 7.5f), linearAttenuation(i.a.w - 0.5f, 0.1f + i.b.w), 0, 0);
          }},
@@ -216,8 +200,8 @@ TEST_F(OpticsGl, Depth)
         {"viewZFromDepth",
          "vec4(viewZFromDepth(a.w, 0.1, 1000.0), viewZFromDepth(1.0, 0.01, 10.0 + 1.0e4 * b.w), 0.0, 0.0)",
          [](const Inputs& i) {
-             return vec4(viewZFromDepth(i.a.w, 0.1f, 1000.0f),
-                         viewZFromDepth(1.0f, 0.01f, 10.0f + 1.0e4f * i.b.w), 0, 0);
+             return vec4(viewZFromDepth(i.a.w, 0.1f, 1000.0f), viewZFromDepth(1.0f, 0.01f, 10.0f + 1.0e4f * i.b.w), 0,
+                         0);
          }},
         {"depthFromViewZ", "vec4(depthFromViewZ(-0.1 - 900.0 * a.w * b.w, 0.1, 1000.0))",
          [](const Inputs& i) { return vec4(depthFromViewZ(-0.1f - 900.0f * i.a.w * i.b.w, 0.1f, 1000.0f)); }},
@@ -230,11 +214,10 @@ TEST_F(OpticsGl, Lighting)
 {
     using namespace optics;
     check({
-        {"shBasis",
-         "vec4(shBasis(int(9.0 * a.w), b.xyz), shBasis(6, a.xyz), shBasis(8, a.xyz), shBasis(4, a.xyz))",
+        {"shBasis", "vec4(shBasis(int(9.0 * a.w), b.xyz), shBasis(6, a.xyz), shBasis(8, a.xyz), shBasis(4, a.xyz))",
          [](const Inputs& i) {
-             return vec4(shBasis(static_cast<int>(9.0f * i.a.w), xyz(i.b)), shBasis(6, xyz(i.a)),
-                         shBasis(8, xyz(i.a)), shBasis(4, xyz(i.a)));
+             return vec4(shBasis(static_cast<int>(9.0f * i.a.w), xyz(i.b)), shBasis(6, xyz(i.a)), shBasis(8, xyz(i.a)),
+                         shBasis(4, xyz(i.a)));
          }},
         {"shIrradiance",
          "vec4(shIrradiance(vec4[9](b, c, 0.5 * b, 0.5 * c, b * c, b.yzxw, c.yzxw, b.zxyw, c.zxyw), a.xyz), "
@@ -242,32 +225,25 @@ TEST_F(OpticsGl, Lighting)
          [](const Inputs& i) {
              auto yzx = [](const vec4& v) { return vec4(v.y, v.z, v.x, v.w); };
              auto zxy = [](const vec4& v) { return vec4(v.z, v.x, v.y, v.w); };
-             const vec4 c[9]{i.b,      i.c,      0.5f * i.b, 0.5f * i.c, i.b * i.c,
-                             yzx(i.b), yzx(i.c), zxy(i.b),   zxy(i.c)};
+             const vec4 c[9]{i.b, i.c, 0.5f * i.b, 0.5f * i.c, i.b * i.c, yzx(i.b), yzx(i.c), zxy(i.b), zxy(i.c)};
              return wide(shIrradiance(c, xyz(i.a)));
          }},
         {"skyIrradianceAtDepth",
          "vec4(skyIrradianceAtDepth(skyIrradianceBelow(vec3(10.0)), a.xyz * a.xyz, 9.0 * a.w, b.xyz), 0.0)",
          [](const Inputs& i) {
-             return wide(skyIrradianceAtDepth(skyIrradianceBelow(vec3(10.0f)), xyz(i.a) * xyz(i.a),
-                                              9.0f * i.a.w, xyz(i.b)));
+             return wide(
+                 skyIrradianceAtDepth(skyIrradianceBelow(vec3(10.0f)), xyz(i.a) * xyz(i.a), 9.0f * i.a.w, xyz(i.b)));
          }},
         {"refractedSunDirection", "vec4(refractedSunDirection(vec3(a.x, a.y - 0.1 * b.w, a.z), 1.33), 0.0)",
-         [](const Inputs& i) {
-             return wide(refractedSunDirection(vec3(i.a.x, i.a.y - 0.1f * i.b.w, i.a.z), 1.33f));
-         },
+         [](const Inputs& i) { return wide(refractedSunDirection(vec3(i.a.x, i.a.y - 0.1f * i.b.w, i.a.z), 1.33f)); },
          1e-5f}, // that vector is not unit, which brings the cosine below near zero now and then
         {"sunIrradianceBelow", "vec4(sunIrradianceBelow(vec3(100.0), a.y - 0.02, 1.33), 0.0)",
          [](const Inputs& i) { return wide(sunIrradianceBelow(vec3(100.0f), i.a.y - 0.02f, 1.33f)); }},
         {"deepWaterRadiance", "vec4(deepWaterRadiance(a.xyz, 70.0 * b.xyz, 30.0 * c.xyz), 0.0)",
-         [](const Inputs& i) {
-             return wide(deepWaterRadiance(xyz(i.a), 70.0f * xyz(i.b), 30.0f * xyz(i.c)));
-         }},
+         [](const Inputs& i) { return wide(deepWaterRadiance(xyz(i.a), 70.0f * xyz(i.b), 30.0f * xyz(i.c))); }},
         // pow magnifies the driver's rounding of its logarithm by the exponent.
         {"blinnPhong", "vec4(blinnPhong(a.y, 200.0 * b.w), blinnPhong(-a.y, 5.0), 0.0, 0.0)",
-         [](const Inputs& i) {
-             return vec4(blinnPhong(i.a.y, 200.0f * i.b.w), blinnPhong(-i.a.y, 5.0f), 0, 0);
-         },
+         [](const Inputs& i) { return vec4(blinnPhong(i.a.y, 200.0f * i.b.w), blinnPhong(-i.a.y, 5.0f), 0, 0); },
          1e-4f},
         {"smithCosLambda", "vec4(smithCosLambda(a.y, 0.001 + b.w))",
          [](const Inputs& i) { return vec4(smithCosLambda(i.a.y, 0.001f + i.b.w)); }},
@@ -292,14 +268,10 @@ TEST_F(OpticsGl, Sunlight)
     const std::string toSun = "vec3(a.x, a.y + 0.1, a.z)";
     check({
         {"sunPlane", ("vec4(sunPlane(5.0 * b.xyz, 0.5, sunSlant(" + toSun + ")), 0.0, 0.0)").c_str(),
-         [raised](const Inputs& i) {
-             return vec4(sunPlane(5.0f * xyz(i.b), 0.5f, sunSlant(raised(i.a))), 0.0f, 0.0f);
-         },
+         [raised](const Inputs& i) { return vec4(sunPlane(5.0f * xyz(i.b), 0.5f, sunSlant(raised(i.a))), 0.0f, 0.0f); },
          1e-5f},
         {"sunPlaneGradient", ("vec4(sunPlaneGradient(b.xyz, sunSlant(" + toSun + ")), 0.0, 0.0)").c_str(),
-         [raised](const Inputs& i) {
-             return vec4(sunPlaneGradient(xyz(i.b), sunSlant(raised(i.a))), 0.0f, 0.0f);
-         },
+         [raised](const Inputs& i) { return vec4(sunPlaneGradient(xyz(i.b), sunSlant(raised(i.a))), 0.0f, 0.0f); },
          1e-3f}, // the divisor passes through zero: it magnifies rounding up to the limit
         {"photonWeight", "vec4(photonWeight(1.5 * a.xz), photonShare(a.w + 0.1, b.w + 0.1), 0.0, 0.0)",
          [](const Inputs& i) {
@@ -332,21 +304,17 @@ TEST_F(OpticsGl, WavesOneByOne)
 {
     using namespace optics;
     auto term = [](const Inputs& i) {
-        return WaveTerm{
-            4.0f * vec2(i.a.x, i.a.z), 3.0f * i.b.w, 6.0f * i.c.w, 0.1f, 4.0f * i.a.w, 0.0f, 0.0f};
+        return WaveTerm{4.0f * vec2(i.a.x, i.a.z), 3.0f * i.b.w, 6.0f * i.c.w, 0.1f, 4.0f * i.a.w, 0.0f, 0.0f};
     };
     const char* const glsl = "WaveTerm(4.0 * a.xz, 3.0 * b.w, 6.0 * c.w, 0.1, 4.0 * a.w, 0.0, 0.0)";
     const std::string sine = std::string("vec4(waveTerm(") + glsl + ", 10.0 * b.xz, 7.0 * c.y), 0.0)";
-    const std::string filter = std::string("vec4(waveFilter(") + glsl + ", 2.0 * b.w), waveLostVariance(" +
-                               glsl + ", c.w), 0.0, 0.0)";
+    const std::string filter =
+        std::string("vec4(waveFilter(") + glsl + ", 2.0 * b.w), waveLostVariance(" + glsl + ", c.w), 0.0, 0.0)";
     const std::string overPixel = std::string("vec4(waveFilterOverPixel(") + glsl + ", 0.5 * b.xz, 0.5 * c.zx))";
     check({
         // An angle of 70 rad is rounded to 4e-6.
         {"waveTerm", sine.c_str(),
-         [term](const Inputs& i) {
-             return wide(waveTerm(term(i), 10.0f * vec2(i.b.x, i.b.z), 7.0f * i.c.y));
-         },
-         1e-5f},
+         [term](const Inputs& i) { return wide(waveTerm(term(i), 10.0f * vec2(i.b.x, i.b.z), 7.0f * i.c.y)); }, 1e-5f},
         {"sinCosTogether", "vec4(sinCosTogether(20.0 * b.x), sinCosTogether(0.1 * b.z))",
          [](const Inputs& i) { return vec4(sinCosTogether(20.0f * i.b.x), sinCosTogether(0.1f * i.b.z)); }, 2e-6f},
         {"waveFilterOverPixel", overPixel.c_str(),
@@ -411,12 +379,10 @@ TEST_F(OpticsGl, Intersection)
     auto r = [](const Inputs& i) { return glm::normalize(vec3(i.b.x, -0.2f - i.b.y, -0.5f * i.b.w)); };
     const std::string uG = "vec3(a.x, a.y - 1.0, -3.0 - 4.0 * a.w)",
                       rG = "normalize(vec3(b.x, -0.2 - b.y, -0.5 * b.w))";
-    const std::string begin =
-        "intersectionBegin(" + uG + ", " + rG + ", seenThrough(" + uG + ", -8.0 - c.w))";
+    const std::string begin = "intersectionBegin(" + uG + ", " + rG + ", seenThrough(" + uG + ", -8.0 - c.w))";
     const std::string step = "intersectionStep(" + begin + ", -7.0 - c.w)";
     auto second = [u, r](const Inputs& i) {
-        return intersectionStep(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f - i.c.w)),
-                                -7.0f - i.c.w);
+        return intersectionStep(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f - i.c.w)), -7.0f - i.c.w);
     };
     const std::string guess = "intersectionGuess(" + begin + ", 4.0 * c.x - 0.5)";
     const std::string guessed = "vec4(" + guess + ".W, " + guess + ".s)";
@@ -428,8 +394,8 @@ TEST_F(OpticsGl, Intersection)
     auto leapt = [u, r](const Inputs& i) {
         return intersectionStep(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f)), -60.0f - i.c.w);
     };
-    const std::string leaptG = "intersectionStep(intersectionBegin(" + uG + ", " + rG + ", seenThrough(" +
-                               uG + ", -8.0)), -60.0 - c.w)";
+    const std::string leaptG =
+        "intersectionStep(intersectionBegin(" + uG + ", " + rG + ", seenThrough(" + uG + ", -8.0)), -60.0 - c.w)";
     const std::string leap = "vec4(" + leaptG + ".W, " + leaptG + ".s)";
     // Twice something close to the eye, behind which W lies.
     auto near = [u, r](const Inputs& i) {
@@ -439,8 +405,7 @@ TEST_F(OpticsGl, Intersection)
     const std::string halvedG = "intersectionStep(intersectionStep(intersectionBegin(" + uG + ", " + rG +
                                 ", seenThrough(" + uG + ", -8.0)), -2.0), -0.2 - 0.1 * c.w)";
     const std::string halved = "vec4(" + halvedG + ".W, " + halvedG + ".s)";
-    const std::string planar =
-        "vec4(planarIntersection(" + uG + ", " + rG + ", seenThrough(" + uG + ", -8.0)), 0.0)";
+    const std::string planar = "vec4(planarIntersection(" + uG + ", " + rG + ", seenThrough(" + uG + ", -8.0)), 0.0)";
     const std::string nearest = "vec4(closestOnRay(" + uG + ", " + rG + ", 3.0 * c.xyz, a.xyz + 0.5), 0.0)";
     check({
         {"intersectionBegin", first.c_str(),
@@ -455,10 +420,9 @@ TEST_F(OpticsGl, Intersection)
              return wide(s.W, s.s);
          }},
         // Two lines that meet at a small angle magnify rounding by its inverse.
-        {"intersectionStep", next.c_str(),
-         [second](const Inputs& i) { return wide(second(i).W, second(i).s); }, 1e-3f},
-        {"best", best.c_str(),
-         [second](const Inputs& i) { return wide(second(i).best, second(i).bestDistance); }, 1e-5f},
+        {"intersectionStep", next.c_str(), [second](const Inputs& i) { return wide(second(i).W, second(i).s); }, 1e-3f},
+        {"best", best.c_str(), [second](const Inputs& i) { return wide(second(i).best, second(i).bestDistance); },
+         1e-5f},
         {"intersectionEnd", ended.c_str(),
          [second](const Inputs& i) {
              const auto s = intersectionEnd(second(i));
@@ -467,15 +431,12 @@ TEST_F(OpticsGl, Intersection)
          1e-3f},
         // A bed far behind W, then one far in front: no intersection between them, so the step by the gap
         // and, where that would leave the interval, the half of it.
-        {"step by the gap", leap.c_str(), [leapt](const Inputs& i) { return wide(leapt(i).W, leapt(i).s); },
-         1e-4f},
-        {"half the interval", halved.c_str(), [near](const Inputs& i) { return wide(near(i).W, near(i).s); },
-         1e-4f},
+        {"step by the gap", leap.c_str(), [leapt](const Inputs& i) { return wide(leapt(i).W, leapt(i).s); }, 1e-4f},
+        {"half the interval", halved.c_str(), [near](const Inputs& i) { return wide(near(i).W, near(i).s); }, 1e-4f},
         {"planarIntersection", planar.c_str(),
          [u, r](const Inputs& i) { return wide(planarIntersection(u(i), r(i), seenThrough(u(i), -8.0f))); }},
         {"closestOnRay", nearest.c_str(),
-         [u, r](const Inputs& i) { return wide(closestOnRay(u(i), r(i), 3.0f * xyz(i.c), xyz(i.a) + 0.5f)); },
-         1e-3f},
+         [u, r](const Inputs& i) { return wide(closestOnRay(u(i), r(i), 3.0f * xyz(i.c), xyz(i.a) + 0.5f)); }, 1e-3f},
     });
 }
 
@@ -490,18 +451,16 @@ TEST_F(OpticsGl, ChoiceOfTheMirroredPoint)
         choice = mirrorConsider(choice, U + R, U + 5.0f * R + 0.4f * xyz(i.c), false);
         return mirrorConsider(choice, U + 2.0f * R, U + 900.0f * R + 1.0f, true);
     };
-    const std::string U = "vec3(a.x, a.y - 1.0, -3.0 - 4.0 * a.w)",
-                      R = "normalize(vec3(b.x, 0.2 + b.y, -0.5 - b.w))";
+    const std::string U = "vec3(a.x, a.y - 1.0, -3.0 - 4.0 * a.w)", R = "normalize(vec3(b.x, 0.2 + b.y, -0.5 - b.w))";
     const std::string begun = "mirrorBegin(" + U + ", " + R + ", vec3(0.0, 1.0, 0.0))";
-    const std::string near = "mirrorConsider(" + begun + ", " + U + " + " + R + ", " + U + " + 5.0 * " + R +
-                             " + 0.4 * c.xyz, false)";
-    const std::string far = "mirrorConsider(" + near + ", " + U + " + 2.0 * " + R + ", " + U + " + 900.0 * " +
-                            R + " + 1.0, true)";
+    const std::string near =
+        "mirrorConsider(" + begun + ", " + U + " + " + R + ", " + U + " + 5.0 * " + R + " + 0.4 * c.xyz, false)";
+    const std::string far =
+        "mirrorConsider(" + near + ", " + U + " + 2.0 * " + R + ", " + U + " + 900.0 * " + R + " + 1.0, true)";
     const std::string place = "vec4(mirrorChosen(" + far + "), 0.0)";
     const std::string angles = "vec4(" + far + ".least, " + far + ".leastThing, mirrorMiss(" + far + "), 0.0)";
     check({
-        {"mirrorChosen", place.c_str(), [chosen](const Inputs& i) { return wide(mirrorChosen(chosen(i))); },
-         1e-5f},
+        {"mirrorChosen", place.c_str(), [chosen](const Inputs& i) { return wide(mirrorChosen(chosen(i))); }, 1e-5f},
         {"mirrorConsider", angles.c_str(),
          [chosen](const Inputs& i) {
              const auto choice = chosen(i);

@@ -14,8 +14,7 @@ namespace tarn::test {
 struct Stage {
     explicit Stage(const Scene& scene, const Options& options)
         : shaders(makeShaderLibrary()), renderer(scene, options, *shaders, profiler)
-    {
-    }
+    {}
     std::unique_ptr<gl::ShaderLibrary> shaders;
     gl::Profiler profiler;
     Renderer renderer;

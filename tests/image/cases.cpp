@@ -33,8 +33,7 @@ std::string valueText(const json& value)
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_array()) return value.dump();
     std::vector<std::string> parts;
-    for (const json& part : value)
-        parts.push_back(part.dump());
+    for (const json& part : value) parts.push_back(part.dump());
     return fmt::format("{}", fmt::join(parts, ","));
 }
 

@@ -1,5 +1,6 @@
 // The picture tests' program. CTest calls `render` once per group, then `check` once per case, and `lossless` once per
-// group; people call `review` and `bless` through tools/golden. image_tests draws through OSMesa, image_tests_egl through EGL.
+// group; people call `review` and `bless` through tools/golden. image_tests draws through OSMesa, image_tests_egl
+// through EGL.
 #include "base/error.h"
 #include "image/judge.h"
 #include "image/lossless.h"
@@ -17,8 +18,7 @@ namespace {
 std::vector<Case> allCases(const std::vector<Group>& groups)
 {
     std::vector<Case> cases;
-    for (const Group& group : groups)
-        cases.insert(cases.end(), group.cases.begin(), group.cases.end());
+    for (const Group& group : groups) cases.insert(cases.end(), group.cases.begin(), group.cases.end());
     return cases;
 }
 
@@ -86,8 +86,7 @@ int verify(const std::vector<Group>& groups, const std::string& name)
 int checkGoldens(const std::vector<Group>& groups)
 {
     const std::vector<std::string> problems = problemsOfGoldens(allCases(groups));
-    for (const std::string& problem : problems)
-        fmt::print("{}\n", problem);
+    for (const std::string& problem : problems) fmt::print("{}\n", problem);
     return problems.empty() ? 0 : 1;
 }
 
@@ -130,7 +129,8 @@ int run(const std::vector<std::string>& arguments)
     if (command == "goldens") return checkGoldens(groups);
     if (command == "review") return review(groups, name);
     if (command == "bless") return blessMatching(groups, name);
-    throw UsageError("image_tests render [GROUP] | lossless [GROUP] | check CASE | verify [GROUP] | goldens | review [PART] | bless [PART]");
+    throw UsageError("image_tests render [GROUP] | lossless [GROUP] | check CASE | verify [GROUP] | goldens | review "
+                     "[PART] | bless [PART]");
 }
 
 } // namespace

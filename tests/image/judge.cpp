@@ -26,8 +26,7 @@ std::optional<std::string> differencePng(const CaseFiles& files)
     if (!isThere(files.golden) || !isThere(files.actual)) return std::nullopt;
     const Image golden = readImage(files.golden), actual = readImage(files.actual);
     if (!comparePictures(golden, actual).mismatch.empty()) return std::nullopt;
-    const std::filesystem::path file =
-        files.actual.parent_path() / (files.actual.stem().string() + ".difference.png");
+    const std::filesystem::path file = files.actual.parent_path() / (files.actual.stem().string() + ".difference.png");
     writeImage(file, differencePicture(golden, actual));
     return readFile(file);
 }
@@ -51,8 +50,8 @@ void writePage(const std::filesystem::path& file, const std::string& title, cons
     std::vector<ComparisonEntry> entries;
     for (const Case& test : cases) {
         const CaseFiles files = filesOf(test.name);
-        entries.push_back({test.name, test.what, judge(test).text, bytesOf(files.golden),
-                           bytesOf(files.actual), differencePng(files)});
+        entries.push_back({test.name, test.what, judge(test).text, bytesOf(files.golden), bytesOf(files.actual),
+                           differencePng(files)});
     }
     writeFile(file, comparisonPage(title, entries));
 }
@@ -70,9 +69,8 @@ std::vector<std::string> problemsOfGoldens(const std::vector<Case>& cases)
     for (std::size_t i = 0; i < goldens.size(); ++i)
         for (std::size_t j = i + 1; j < goldens.size(); ++j)
             if (comparePictures(goldens[i], goldens[j]).same())
-                problems.push_back(
-                    fmt::format("{} and {} pass for each other: one of the cases shows nothing",
-                                goldens[i].name, goldens[j].name));
+                problems.push_back(fmt::format("{} and {} pass for each other: one of the cases shows nothing",
+                                               goldens[i].name, goldens[j].name));
     for (const auto& entry : std::filesystem::directory_iterator(goldenFolder()))
         if (!known.contains(entry.path().filename()))
             problems.push_back(fmt::format("{} belongs to no case; remove it", entry.path().string()));

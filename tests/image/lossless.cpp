@@ -13,10 +13,10 @@ namespace tarn::imagetest {
 namespace {
 
 /// Small targets and maps: what is left out does not depend on their sizes. A case's own options win.
-const std::vector<std::string> smallTargets{"sunlight.map_size=512", "refraction.target_size=192",
-                                            "reflection.target_size=192", "caustics.photons=128",
-                                            "caustics.texture_size=128", "heights.map_size=256",
-                                            "detail.pixels=0"}; // which plan.exact would refuse
+const std::vector<std::string> smallTargets{
+    "sunlight.map_size=512", "refraction.target_size=192", "reflection.target_size=192",
+    "caustics.photons=128",  "caustics.texture_size=128",  "heights.map_size=256",
+    "detail.pixels=0"}; // which plan.exact would refuse
 
 ivec2 smallSize(ivec2 size) { return glm::max(size * 2 / 5, ivec2(16)); }
 
@@ -25,8 +25,7 @@ class CaseFrames {
 public:
     CaseFrames(const Case& test, const Scene& scene, Renderer& renderer)
         : test_(test), scene_(scene), renderer_(renderer), camera_(chooseCamera(scene, test.camera))
-    {
-    }
+    {}
 
     Image draw(const std::vector<std::string>& plan)
     {

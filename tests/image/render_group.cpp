@@ -14,8 +14,8 @@ void requireClean(const Renderer& renderer, int errorsBefore)
 {
     for (const BadPixels& bad : renderer.badPixels())
         if (bad.any())
-            throw Error("pass {} made {} NaN, {} infinite and {} negative values", bad.pass, bad.nan,
-                        bad.infinite, bad.negative);
+            throw Error("pass {} made {} NaN, {} infinite and {} negative values", bad.pass, bad.nan, bad.infinite,
+                        bad.negative);
     if (gl::debugErrorCount() > errorsBefore) throw Error("OpenGL reported: {}", gl::lastDebugError());
 }
 

@@ -15,8 +15,7 @@ int main(int argc, char** argv)
     }
     try {
         const tarn::PictureTolerance otherDriver{16, 0.03, 255, 1.0};
-        const auto result =
-            tarn::comparePictures(tarn::readImage(argv[1]), tarn::readImage(argv[2]), otherDriver);
+        const auto result = tarn::comparePictures(tarn::readImage(argv[1]), tarn::readImage(argv[2]), otherDriver);
         std::printf("%s\n", result.summary().c_str());
         return result.same() ? 0 : 1;
     } catch (const std::exception& error) {

@@ -1,5 +1,6 @@
 // synthetic_report FOLDER [PICTURE...]: a trade of settings whose prices and errors follow from formulas, with its
-// report, so that the page can be tested without a reference. Up to three pictures stand for real time, reference, FLIP.
+// report, so that the page can be tested without a reference. Up to three pictures stand for real time, reference,
+// FLIP.
 #include "base/files.h"
 #include "measure/trade/report.h"
 #include "measure/trade/runner.h"
@@ -8,13 +9,11 @@
 #include <cstdio>
 #include <exception>
 
-namespace
-{
+namespace {
 
 using namespace tarn;
 
-class PicturedLab : public test::SyntheticLab
-{
+class PicturedLab : public test::SyntheticLab {
 public:
     TradePictures files;
     TradePictures pictures(const TradePoint& /*point*/, std::size_t /*view*/) override { return files; }

@@ -127,7 +127,8 @@ TEST(AlphaMips, LevelsHalveDownToOneTexel)
 TEST(AlphaMips, OpaqueAndEmptyPicturesStayWhatTheyAre)
 {
     for (const double alpha : {0.0, 1.0})
-        for (const Image& level : cutOutMips(cutOutPicture(64, 32, [=](double, double) { return alpha; }), CutOut{}, CutOutLevels::covering))
+        for (const Image& level :
+             cutOutMips(cutOutPicture(64, 32, [=](double, double) { return alpha; }), CutOut{}, CutOutLevels::covering))
             EXPECT_EQ(coverageOf(level, CutOut{}), alpha);
 }
 
@@ -148,8 +149,7 @@ TEST(AlphaMips, SharesKeepTheirMeanAndStartAtTheCutoff)
             ASSERT_GT(wanted, 0.05);
             for (const Image& level : cutOutMips(image, cutOut, CutOutLevels::shares)) {
                 double sum = 0.0;
-                for (std::size_t i = 3; i < level.bytes.size(); i += 4)
-                    sum += level.bytes[i] / 255.0;
+                for (std::size_t i = 3; i < level.bytes.size(); i += 4) sum += level.bytes[i] / 255.0;
                 // Half a byte of rounding in each texel.
                 EXPECT_NEAR(sum / (level.width * level.height), wanted, 0.5 / 255.0) << cutoff << ' ' << level.width;
             }

@@ -10,15 +10,10 @@
 
 #include <map>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
-template <typename C> C parsed(const std::vector<std::string>& words)
-{
-    return std::get<C>(parseCommandLine(words));
-}
+template <typename C> C parsed(const std::vector<std::string>& words) { return std::get<C>(parseCommandLine(words)); }
 
 std::string complaint(const std::vector<std::string>& words)
 {
@@ -87,8 +82,7 @@ TEST(CommandLine, RenderTakesAllItsFlags)
     EXPECT_EQ(c.view.size, ivec2(320, 240));
     EXPECT_DOUBLE_EQ(c.view.time, -1.5);
     EXPECT_EQ(c.debugView, DebugView::pathLength);
-    EXPECT_EQ(c.scene.settings.assignments,
-              (std::vector<std::string>{"refraction.steps=3", "water.level=1"}));
+    EXPECT_EQ(c.scene.settings.assignments, (std::vector<std::string>{"refraction.steps=3", "water.level=1"}));
     ASSERT_EQ(c.scene.settings.files.size(), 1u);
     EXPECT_EQ(c.scene.settings.files[0], "o.toml");
     EXPECT_FLOAT_EQ(*c.scene.waterLevel, -0.5f);
@@ -101,8 +95,7 @@ TEST(CommandLine, RenderTakesAllItsFlags)
 
 TEST(CommandLine, SetDoesNotSwallowTheScene)
 {
-    const auto c =
-        parsed<RenderCommand>({"render", "--set", "refraction.steps=3", "s.toml", "--out", "a.png"});
+    const auto c = parsed<RenderCommand>({"render", "--set", "refraction.steps=3", "s.toml", "--out", "a.png"});
     EXPECT_EQ(c.scene.file, "s.toml");
     EXPECT_EQ(c.scene.settings.assignments.size(), 1u);
 }
@@ -127,8 +120,7 @@ TEST(CommandLine, DescribesItself)
     const auto json = nlohmann::json::parse(parsed<PrintCommand>({"--describe"}).text);
     EXPECT_EQ(json["name"], "tarn");
     std::map<std::string, nlohmann::json> commands;
-    for (const auto& command : json["commands"])
-        commands[command["name"]] = command["options"];
+    for (const auto& command : json["commands"]) commands[command["name"]] = command["options"];
     EXPECT_EQ(commands.size(), 13u);
     const auto option = [&](const std::string& command, const std::string& name) -> nlohmann::json {
         for (const auto& candidate : commands[command])
@@ -149,8 +141,8 @@ TEST(CommandLine, DescribesItself)
 
 TEST(CommandLine, AnErrorMapNeedsAReference)
 {
-    const auto c = parsed<RenderCommand>({"render", "--error", "reflection", "--reference", "truth.exr", "--error-scale",
-                                          "2.5", "--out", "map.png"});
+    const auto c = parsed<RenderCommand>(
+        {"render", "--error", "reflection", "--reference", "truth.exr", "--error-scale", "2.5", "--out", "map.png"});
     ASSERT_TRUE(c.error);
     EXPECT_EQ(*c.error, ErrorKind::reflection);
     EXPECT_EQ(c.reference, "truth.exr");
@@ -182,8 +174,7 @@ TEST(CommandLine, TheViewerTakesAReference)
 
 TEST(CommandLine, BenchVariants)
 {
-    const auto c =
-        parsed<BenchCommand>({"bench", "--frames", "7", "--vary", "refraction.steps=1", "--vary", "a.b=c"});
+    const auto c = parsed<BenchCommand>({"bench", "--frames", "7", "--vary", "refraction.steps=1", "--vary", "a.b=c"});
     EXPECT_EQ(c.frames, 7);
     EXPECT_EQ(c.variants, (std::vector<std::string>{"refraction.steps=1", "a.b=c"}));
 }
@@ -200,11 +191,8 @@ TEST(CommandLine, BenchInteractive)
     EXPECT_TRUE(c.interactive);
     EXPECT_EQ(c.scene.file, "s.toml");
     EXPECT_DOUBLE_EQ(c.seconds, 2.5);
-    for (const std::vector<std::string>& other : {std::vector<std::string>{"--flight"},
-                                                  {"--rules"},
-                                                  {"--yardstick"},
-                                                  {"--table", "2"},
-                                                  {"--vary", "a.b=c"}}) {
+    for (const std::vector<std::string>& other :
+         {std::vector<std::string>{"--flight"}, {"--rules"}, {"--yardstick"}, {"--table", "2"}, {"--vary", "a.b=c"}}) {
         std::vector<std::string> words{"bench", "--interactive"};
         words.insert(words.end(), other.begin(), other.end());
         EXPECT_NE(complaint(words).find("a flight of its own"), std::string::npos) << other.front();
@@ -226,8 +214,7 @@ TEST(CommandLine, BenchTables)
         EXPECT_NE(told.find("--table " + std::string(wrong)), std::string::npos) << told;
         EXPECT_NE(told.find("2 (caustics on and off) and 3 ("), std::string::npos) << told;
     }
-    EXPECT_NE(complaint({"bench", "--vary", "refraction.steps=1", "--table", "2"}).find("--vary"),
-              std::string::npos);
+    EXPECT_NE(complaint({"bench", "--vary", "refraction.steps=1", "--table", "2"}).find("--vary"), std::string::npos);
     EXPECT_NE(complaint({"render", "--table", "2", "--out", "a.png"}).find("--table"), std::string::npos);
 }
 
@@ -236,7 +223,8 @@ TEST(CommandLine, BenchStartup)
     EXPECT_FALSE(parsed<BenchCommand>({"bench"}).startup);
     EXPECT_TRUE(parsed<BenchCommand>({"bench", "--startup"}).startup);
     for (const char* other : {"--flight", "--rules"})
-        EXPECT_NE(complaint({"bench", "--startup", other}).find("--startup measures one start"), std::string::npos) << other;
+        EXPECT_NE(complaint({"bench", "--startup", other}).find("--startup measures one start"), std::string::npos)
+            << other;
 }
 
 TEST(CommandLine, Compare)
@@ -247,9 +235,9 @@ TEST(CommandLine, Compare)
     EXPECT_TRUE(bare.out.empty());
     EXPECT_FALSE(bare.exposure || bare.maxFlip);
     EXPECT_DOUBLE_EQ(bare.pixelsPerDegree, defaultPixelsPerDegree);
-    const auto full = parsed<CompareCommand>({"compare", "--ppd", "40", "a.exr", "--exposure", "0.5", "b.exr",
-                                              "--tone-curve", "reinhard", "--out", "heat.png", "--max-flip",
-                                              "0.1", "--json", "-"});
+    const auto full =
+        parsed<CompareCommand>({"compare", "--ppd", "40", "a.exr", "--exposure", "0.5", "b.exr", "--tone-curve",
+                                "reinhard", "--out", "heat.png", "--max-flip", "0.1", "--json", "-"});
     EXPECT_EQ(full.reference, "a.exr");
     EXPECT_EQ(full.test, "b.exr");
     EXPECT_EQ(full.out, "heat.png");
@@ -281,10 +269,18 @@ TEST(CommandLine, Trade)
     EXPECT_EQ(d.size, ivec2(320, 240));
     EXPECT_TRUE(d.times.empty());
     EXPECT_EQ(d.shards, 1);
-    const auto c = parsed<TradeCommand>({"trade", "s.toml", "--out", "o", "--sweep", "refraction.steps=1:8", "--sweep",
-                                         "caustics.filter=0:2", "--grid", "--views", "pier,bed", "--times", "0.5",
-                                         "--size", "64x48", "--frames", "9", "--samples", "7", "--shard", "2/4", "--fresh", "--preset",
-                                         "thesis"});
+    const auto c = parsed<TradeCommand>({"trade",    "s.toml",
+                                         "--out",    "o",
+                                         "--sweep",  "refraction.steps=1:8",
+                                         "--sweep",  "caustics.filter=0:2",
+                                         "--grid",   "--views",
+                                         "pier,bed", "--times",
+                                         "0.5",      "--size",
+                                         "64x48",    "--frames",
+                                         "9",        "--samples",
+                                         "7",        "--shard",
+                                         "2/4",      "--fresh",
+                                         "--preset", "thesis"});
     EXPECT_EQ(c.sweeps.size(), 2u);
     EXPECT_TRUE(c.grid && c.fresh);
     EXPECT_EQ(c.views, (std::vector<std::string>{"pier", "bed"}));
@@ -314,7 +310,8 @@ TEST(CommandLine, TuneHasOneGoal)
 
 TEST(CommandLine, BudgetHasAViewAndAReference)
 {
-    const auto c = parsed<BudgetCommand>({"budget", "s.toml", "--camera", "bed", "--samples", "8", "--preset", "thesis"});
+    const auto c =
+        parsed<BudgetCommand>({"budget", "s.toml", "--camera", "bed", "--samples", "8", "--preset", "thesis"});
     EXPECT_EQ(c.view.camera.name, "bed");
     EXPECT_EQ(c.reference.samples, 8);
     EXPECT_EQ(c.view.size, ivec2(320, 240));
@@ -333,11 +330,9 @@ TEST(CommandLine, UnknownWordsAreToldWithTheNearest)
     EXPECT_NE(complaint({"rendr"}).find("did you mean render?"), std::string::npos);
     EXPECT_NE(complaint({"render", "--out", "a.png", "--camra", "x"}).find("did you mean --camera?"),
               std::string::npos);
-    EXPECT_NE(complaint({"--frame=3"}).find("--frame: no such flag, did you mean --frames?"),
-              std::string::npos);
+    EXPECT_NE(complaint({"--frame=3"}).find("--frame: no such flag, did you mean --frames?"), std::string::npos);
     EXPECT_NE(complaint({"render", "a.toml", "b.toml", "--out", "c.png"}).find("b.toml"), std::string::npos);
-    EXPECT_NE(complaint({"render", "--out", "a.png", "--view", "depth"}).find("scene-depth"),
-              std::string::npos);
+    EXPECT_NE(complaint({"render", "--out", "a.png", "--view", "depth"}).find("scene-depth"), std::string::npos);
 }
 
 TEST(CommandLine, WrongUses)
@@ -354,8 +349,8 @@ TEST(CommandLine, WrongUses)
 TEST(Parse, Sizes)
 {
     EXPECT_EQ(parseSize("1x16384", "--size"), ivec2(1, 16384));
-    for (const char* wrong : {"", "x", "640", "640x", "x480", "0x5", "5x0", "-4x4", "640x480x3", "1e2x5",
-                              "16385x1", "640 x480", "99999999999x1"})
+    for (const char* wrong : {"", "x", "640", "640x", "x480", "0x5", "5x0", "-4x4", "640x480x3", "1e2x5", "16385x1",
+                              "640 x480", "99999999999x1"})
         EXPECT_THROW(parseSize(wrong, "--size"), UsageError) << wrong;
 }
 

@@ -27,8 +27,7 @@ protected:
         writeImage(folder_.path() / name, image, header, names);
         return folder_.path() / name;
     }
-    std::filesystem::path shown(const std::string& name, std::uint8_t value, int width = 4,
-                                int channels = 3) const
+    std::filesystem::path shown(const std::string& name, std::uint8_t value, int width = 4, int channels = 3) const
     {
         Image image{name, width, 3, channels, {}, {}};
         image.bytes.assign(image.size(), value);
@@ -123,8 +122,7 @@ TEST_F(Compare, FindsColourAmongTheChannelsOfAReference)
 {
     const auto picture = linear("a.exr", 0.5f, "", 6, {"R", "G", "B", "N.X", "N.Y", "events"});
     EXPECT_EQ(figures(of(picture, linear("b.exr", 0.5f)))["rmse"], 0.0);
-    EXPECT_CONTAINS(complaint(of(linear("n.exr", 1.0f, "", 3, {"X", "Y", "Z"}), picture)),
-                    "n.exr: has no channel R");
+    EXPECT_CONTAINS(complaint(of(linear("n.exr", 1.0f, "", 3, {"X", "Y", "Z"}), picture)), "n.exr: has no channel R");
 }
 
 TEST_F(Compare, WritesTheMapAsColoursOrAsValues)

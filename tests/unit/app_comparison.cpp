@@ -8,10 +8,8 @@
 
 #include <limits>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 ReferenceView someView()
 {

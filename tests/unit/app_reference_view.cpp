@@ -7,10 +7,8 @@
 
 #include <gtest/gtest.h>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 Stage lake()
 {

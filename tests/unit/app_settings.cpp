@@ -13,15 +13,12 @@
 #include <filesystem>
 #include <unistd.h>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 namespace fs = std::filesystem;
 
-class SettingsTest : public testing::Test
-{
+class SettingsTest : public testing::Test {
 protected:
     void SetUp() override { fs::create_directories(folder_); }
     void TearDown() override { fs::remove_all(folder_); }
@@ -54,17 +51,16 @@ TEST_F(SettingsTest, LaterPlacesWin)
     const fs::path file = optionsFile("[refraction]\nsteps = 12\n");
     EXPECT_EQ(resolveSettings(scene, {{file}, {}}).options.refraction.steps, 12);
     EXPECT_EQ(resolveSettings(scene, {{file}, {"refraction.steps=13"}}).options.refraction.steps, 13);
-    EXPECT_EQ(
-        resolveSettings(scene, {{}, {"refraction.steps=13", "refraction.steps=14"}}).options.refraction.steps,
-        14);
+    EXPECT_EQ(resolveSettings(scene, {{}, {"refraction.steps=13", "refraction.steps=14"}}).options.refraction.steps,
+              14);
 }
 
 TEST_F(SettingsTest, WaterKeysReachBothTheBodyAndItsDrawing)
 {
     Scene scene;
     scene.water.level = 3.0f;
-    const Settings settings = resolveSettings(
-        scene, {{}, {"water.grid_size=129", "water.ior=1.5", "water.absorption=0.1,0.2,0.3"}});
+    const Settings settings =
+        resolveSettings(scene, {{}, {"water.grid_size=129", "water.ior=1.5", "water.absorption=0.1,0.2,0.3"}});
     EXPECT_EQ(settings.options.water.gridSize, 129);
     EXPECT_FLOAT_EQ(settings.water.level, 3.0f);
     EXPECT_FLOAT_EQ(settings.water.ior, 1.5f);

@@ -17,10 +17,8 @@
 #include <random>
 #include <unistd.h>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -64,10 +62,10 @@ TEST(InputMap, NumberKeysAreCamerasInTheirOrderOnTheKeyboard)
 TEST(InputMap, HelpTellsOfEveryKey)
 {
     std::string text;
-    for (const HelpLine& line : helpLines())
-        text += line.keys + ": " + line.what + "\n";
-    for (const char* key : {"W", "A", "S", "D", "Q", "E", "Up",  "Left", "Shift", "C",     "U",
-                            "G", "R", "F", "P", "V", "O:", "B", "[", "]", "T:", "H", "Tab", "F12",  "Esc",   "wheel", "left button"})
+    for (const HelpLine& line : helpLines()) text += line.keys + ": " + line.what + "\n";
+    for (const char* key :
+         {"W", "A", "S",  "D", "Q", "E", "Up", "Left", "Shift", "C",   "U",   "G",     "R",          "F",
+          "P", "V", "O:", "B", "[", "]", "T:", "H",    "Tab",   "F12", "Esc", "wheel", "left button"})
         EXPECT_NE(text.find(key), std::string::npos) << key;
 }
 
@@ -137,21 +135,15 @@ void expectNear(const vec3& a, const vec3& b, float tolerance)
         << a.x << "," << a.y << "," << a.z << " is not " << b.x << "," << b.y << "," << b.z;
 }
 
-vec3 forwardOf(const FlyCamera& fly)
-{
-    return glm::normalize(fly.camera().target - fly.camera().eye);
-}
+vec3 forwardOf(const FlyCamera& fly) { return glm::normalize(fly.camera().target - fly.camera().eye); }
 
 TEST(FlyCamera, SamePathAtAnyFrameRate)
 {
     FlyCamera slow(level()), quick(level());
-    for (int i = 0; i < 10; ++i)
-        slow.move({1.0f, 0.0f, 1.0f}, false, 0.1);
-    for (int i = 0; i < 1000; ++i)
-        quick.move({1.0f, 0.0f, 1.0f}, false, 0.001);
+    for (int i = 0; i < 10; ++i) slow.move({1.0f, 0.0f, 1.0f}, false, 0.1);
+    for (int i = 0; i < 1000; ++i) quick.move({1.0f, 0.0f, 1.0f}, false, 0.001);
     expectNear(slow.camera().eye, quick.camera().eye, 1e-3f);
-    EXPECT_NEAR(glm::distance(slow.camera().eye, level().eye), slow.speed(), 1e-3f)
-        << "diagonals are not faster";
+    EXPECT_NEAR(glm::distance(slow.camera().eye, level().eye), slow.speed(), 1e-3f) << "diagonals are not faster";
 }
 
 TEST(FlyCamera, MovesAlongItsOwnAxes)
@@ -168,8 +160,7 @@ TEST(FlyCamera, MovesAlongItsOwnAxes)
 TEST(FlyCamera, MayGoUnderWater)
 {
     FlyCamera fly(level());
-    for (int i = 0; i < 100; ++i)
-        fly.move({0.0f, -1.0f, 0.0f}, false, 0.1);
+    for (int i = 0; i < 100; ++i) fly.move({0.0f, -1.0f, 0.0f}, false, 0.1);
     EXPECT_LT(fly.camera().eye.y, -10.0f);
 }
 
@@ -236,11 +227,9 @@ TEST(FlyCamera, SpeedHasEnds)
     const float start = fly.speed();
     fly.changeSpeed(1.0);
     EXPECT_NEAR(fly.speed(), 1.2f * start, 1e-4f);
-    for (int i = 0; i < 100; ++i)
-        fly.changeSpeed(-20.0);
+    for (int i = 0; i < 100; ++i) fly.changeSpeed(-20.0);
     EXPECT_GT(fly.speed(), 0.0f);
-    for (int i = 0; i < 100; ++i)
-        fly.changeSpeed(20.0);
+    for (int i = 0; i < 100; ++i) fly.changeSpeed(20.0);
     EXPECT_LT(fly.speed(), 1e4f);
 }
 
@@ -266,8 +255,7 @@ TEST(FrameRate, SettlesOnTheTrueRateWhateverItIs)
     for (const double seconds : {1.0 / 200.0, 1.0 / 30.0, 1.0}) {
         FrameRate rate;
         rate.add(0.1, {});
-        for (double t = 0.0; t < 5.0; t += seconds)
-            rate.add(seconds, {{"water", 3.0}});
+        for (double t = 0.0; t < 5.0; t += seconds) rate.add(seconds, {{"water", 3.0}});
         EXPECT_NEAR(rate.framesPerSecond() * seconds, 1.0, 1e-2);
         ASSERT_EQ(rate.passes().size(), 1u);
         EXPECT_NEAR(rate.passes()[0].milliseconds, 3.0, 1e-9);

@@ -11,10 +11,8 @@
 #include <filesystem>
 #include <set>
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -32,19 +30,22 @@ fs::path onlyFileIn(const fs::path& folder)
 }
 
 /// Puts it back when the test ends.
-class Variable
-{
+class Variable {
 public:
     Variable(const char* name, const char* value) : name_(name)
     {
         if (const char* old = std::getenv(name)) old_ = old;
-        if (value) setenv(name, value, 1);
-        else unsetenv(name);
+        if (value)
+            setenv(name, value, 1);
+        else
+            unsetenv(name);
     }
     ~Variable()
     {
-        if (old_) setenv(name_, old_->c_str(), 1);
-        else unsetenv(name_);
+        if (old_)
+            setenv(name_, old_->c_str(), 1);
+        else
+            unsetenv(name_);
     }
 
 private:
@@ -114,7 +115,8 @@ TEST(DiskCache, DropsWhatWasLongestUnused)
         for (const auto& entry : fs::directory_iterator(folder.path())) before.insert(entry.path());
         cache.write(key, kilobyte);
         for (const auto& entry : fs::directory_iterator(folder.path()))
-            if (!before.contains(entry.path())) fs::last_write_time(entry.path(), old + std::chrono::seconds(before.size()));
+            if (!before.contains(entry.path()))
+                fs::last_write_time(entry.path(), old + std::chrono::seconds(before.size()));
     }
     EXPECT_EQ(cache.read("a"), kilobyte); // now the latest
     cache.write("d", kilobyte);

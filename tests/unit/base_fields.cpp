@@ -7,10 +7,8 @@
 
 #include <array>
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
 enum class Mode { slow, fast };
 constexpr std::array modeNames{"slow", "fast"};
@@ -114,8 +112,7 @@ TEST(Fields, AWrongValueChangesNothing)
 TEST(Fields, UnknownKeySuggestsTheNearest)
 {
     Sample s;
-    EXPECT_EQ(s.problem("sample.stesp=3"),
-              "--set: there is no option 'sample.stesp'; did you mean 'sample.steps'?");
+    EXPECT_EQ(s.problem("sample.stesp=3"), "--set: there is no option 'sample.stesp'; did you mean 'sample.steps'?");
     EXPECT_CONTAINS(s.problem("steps=3"), "did you mean 'sample.steps'?");
     EXPECT_CONTAINS(s.problem("zzzzzzzzzz=3"), "'tarn options' lists them");
 }
@@ -153,9 +150,8 @@ TEST(Fields, ListAndJsonShowTheSameTree)
     EXPECT_EQ(rows[5].value, "slow");
 
     const auto json = toJson(s.tree());
-    EXPECT_EQ(json.dump(),
-              R"({"sample":{"colour":[0.5,0.5,0.5],"light":{"gain":0.1},"mode":"slow","on":false,)"
-              R"("size":[1.0,2.0],"steps":3}})");
+    EXPECT_EQ(json.dump(), R"({"sample":{"colour":[0.5,0.5,0.5],"light":{"gain":0.1},"mode":"slow","on":false,)"
+                           R"("size":[1.0,2.0],"steps":3}})");
 }
 
 TEST(Fields, ListedValuesCanBeAssigned)
@@ -165,8 +161,7 @@ TEST(Fields, ListedValuesCanBeAssigned)
     s.mode = Mode::fast;
     s.on = true;
     Sample copy;
-    for (const auto& row : listFields(s.tree()))
-        copy.set(row.key + "=" + row.value);
+    for (const auto& row : listFields(s.tree())) copy.set(row.key + "=" + row.value);
     EXPECT_EQ(copy.colour, s.colour);
     EXPECT_EQ(copy.mode, s.mode);
     EXPECT_TRUE(copy.on);

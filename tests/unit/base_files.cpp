@@ -6,10 +6,8 @@
 
 #include <thread>
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -75,8 +73,7 @@ TEST(Files, AFailedWriteLeavesTheOldFileAndNoRest)
 TEST(Files, WritingNamesAMissingFolder)
 {
     const TempFolder folder;
-    EXPECT_CONTAINS(messageOf<Error>([&] { writeFile(folder.path() / "no" / "out.txt", "x"); }),
-                    "there is no folder");
+    EXPECT_CONTAINS(messageOf<Error>([&] { writeFile(folder.path() / "no" / "out.txt", "x"); }), "there is no folder");
     EXPECT_CONTAINS(messageOf<Error>([&] { writeFile(folder.path(), "x"); }), "is a directory");
 }
 

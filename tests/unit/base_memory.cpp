@@ -6,8 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace tarn::test
-{
+namespace tarn::test {
 
 TEST(ProcessMemory, CountsWhatIsInUse)
 {

@@ -21,15 +21,14 @@ constexpr double none = ErrorBudget::none;
 
 ErrorBudget someBudget()
 {
-    return {.quantity = "mean FLIP",
-            .rows = {{"refraction", 0.03, 0.02, "refraction.steps=24"},
-                     {"shadow map", none, -0.005},
-                     {"clip", 0.01, none}},
-            .total = 0.06,
-            .together = 0.035,
-            .remaining = 0.02,
-            .noise = 0.004,
-            .unmodelled = none};
+    return {
+        .quantity = "mean FLIP",
+        .rows = {{"refraction", 0.03, 0.02, "refraction.steps=24"}, {"shadow map", none, -0.005}, {"clip", 0.01, none}},
+        .total = 0.06,
+        .together = 0.035,
+        .remaining = 0.02,
+        .noise = 0.004,
+        .unmodelled = none};
 }
 
 TEST(ErrorBudget, SumsLeaveOutWhatIsNotMeasured)
@@ -73,14 +72,12 @@ Scene rampLake(bool hasWaves)
     ramp.width = 256;
     ramp.height = 1;
     ramp.channels = 3;
-    for (int i = 0; i < 256; ++i)
-        ramp.floats.insert(ramp.floats.end(), 3, (static_cast<float>(i) + 0.5f) / 256.0f);
+    for (int i = 0; i < 256; ++i) ramp.floats.insert(ramp.floats.end(), 3, (static_cast<float>(i) + 0.5f) / 256.0f);
     scene.images.push_back(ramp);
     scene.materials[0].diffuse = vec3(0.0f);
     scene.materials[0].emissive = vec3(4.0f);
     scene.materials[0].emissiveMap = 0;
-    for (Vertex& vertex : scene.meshes[0].vertices)
-        vertex.uv = vec2(vertex.position.x / edge + 0.5f, 0.5f);
+    for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv = vec2(vertex.position.x / edge + 0.5f, 0.5f);
     const int lamp = test::addMaterial(scene, vec3(0.0f));
     scene.materials[static_cast<std::size_t>(lamp)].emissive = vec3(5.0f, 2.0f, 0.5f);
     test::addBox(scene, {-2.0f, 0.5f, -6.0f}, {2.0f, 2.5f, -5.0f}, lamp);
@@ -259,11 +256,9 @@ TEST(BudgetParts, AreOptionsThatThereAre)
             EXPECT_NO_THROW(exact = changedSettings(exact, part.exact, part.name)) << part.name;
         // Whatever is exact stays so: nothing is left to be taken out.
         for (const BudgetPart& part : budgetParts(lake, exact, camera, size))
-            EXPECT_EQ(settingsJson(changedSettings(exact, part.exact, part.name)), settingsJson(exact))
-                << part.name;
+            EXPECT_EQ(settingsJson(changedSettings(exact, part.exact, part.name)), settingsJson(exact)) << part.name;
     }
-    EXPECT_FALSE(
-        partOf(budgetParts(lake, {Options{}, lake.water}, diver, size), "reflection lookup").approximate);
+    EXPECT_FALSE(partOf(budgetParts(lake, {Options{}, lake.water}, diver, size), "reflection lookup").approximate);
 }
 
 TEST(Approximations, AreInThePicturesIdentity)

@@ -35,7 +35,10 @@ Camera lookAlong()
 }
 
 /// Pixels that a tangent of 1 spans.
-double pixelsPerTangent(const Camera& camera) { return 0.5 * size.y / std::tan(0.5 * static_cast<double>(camera.verticalFov)); }
+double pixelsPerTangent(const Camera& camera)
+{
+    return 0.5 * size.y / std::tan(0.5 * static_cast<double>(camera.verticalFov));
+}
 
 WaterBody stillWater(float ior = 1.33f)
 {
@@ -53,7 +56,8 @@ EyePoints pointsOf(const Camera& camera, double height, double ior)
     const glm::dmat3 worldFromView = glm::transpose(glm::dmat3(glm::dmat4(viewFromWorld(camera))));
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
-            const dvec2 tangents((x + 0.5 - 0.5 * size.x) / pixelsPerTangent(camera) + static_cast<double>(camera.lensShift),
+            const dvec2 tangents((x + 0.5 - 0.5 * size.x) / pixelsPerTangent(camera) +
+                                     static_cast<double>(camera.lensShift),
                                  (0.5 * size.y - y - 0.5) / pixelsPerTangent(camera));
             const dvec3 ray = glm::normalize(worldFromView * dvec3(tangents, -1.0));
             const bool down = ray.y < -0.02;
@@ -100,7 +104,8 @@ TEST(Disparity, PartnersStandWhereSnellPutsThem)
         std::size_t known = 0, compared = 0;
         for (std::size_t i = 0; i < found.size(); ++i) {
             known += pair.left.isKnown[i];
-            const dvec2 expected = seenAt(pair.right.camera, pair.left.points[i]) - seenAt(pair.left.camera, pair.left.points[i]);
+            const dvec2 expected =
+                seenAt(pair.right.camera, pair.left.points[i]) - seenAt(pair.left.camera, pair.left.points[i]);
             if (!found[i]) continue;
             ++compared;
             ASSERT_NEAR(found[i]->x, expected.x, 0.02) << i;
@@ -111,8 +116,8 @@ TEST(Disparity, PartnersStandWhereSnellPutsThem)
     }
 }
 
-// Straight down, water makes a depth d look like d / n: the disparity is that of a thing so far away, and none where that
-// is the distance of convergence.
+// Straight down, water makes a depth d look like d / n: the disparity is that of a thing so far away, and none where
+// that is the distance of convergence.
 TEST(Disparity, StraightDownIsThatOfTheApparentDepth)
 {
     const double height = 2.0, depth = 3.0, apparent = height + depth / 1.33;

@@ -64,10 +64,7 @@ float largest(const Image& map) { return *std::max_element(map.floats.begin(), m
 
 float at(const Image& map, int x, int y) { return map.floats[static_cast<std::size_t>(y * map.width + x)]; }
 
-TEST(Flip, TheDefaultViewerSits70CentimetresFromA4KDisplay)
-{
-    EXPECT_NEAR(defaultPixelsPerDegree, 67.0206, 5e-5);
-}
+TEST(Flip, TheDefaultViewerSits70CentimetresFromA4KDisplay) { EXPECT_NEAR(defaultPixelsPerDegree, 67.0206, 5e-5); }
 
 TEST(Flip, IdenticalPicturesGiveZeroEverywhere)
 {
@@ -81,8 +78,7 @@ TEST(Flip, IdenticalPicturesGiveZeroEverywhere)
 
 TEST(Flip, DoesNotAskWhichOfTheTwoIsTheReference)
 {
-    EXPECT_NEAR(meanFlip(patterned(0, 0), patterned(2, 30)), meanFlip(patterned(2, 30), patterned(0, 0)),
-                1e-9);
+    EXPECT_NEAR(meanFlip(patterned(0, 0), patterned(2, 30)), meanFlip(patterned(2, 30), patterned(0, 0)), 1e-9);
 }
 
 // Uniform pictures are not changed by filters of sum 1 and have no features: colour alone.
@@ -162,9 +158,7 @@ TEST(Flip, ANewEdgeCostsMoreThanARampToTheSameDifference)
 
 TEST(Flip, AShiftedEdgeCostsMoreThanItsDifferenceWithoutAnEdge)
 {
-    const auto edgeAt = [](int place) {
-        return grey(120, 40, [=](int x, int) { return x < place ? 80 : 120; });
-    };
+    const auto edgeAt = [](int place) { return grey(120, 40, [=](int x, int) { return x < place ? 80 : 120; }); };
     const float uniformError = largest(flipMap(uniform(80, 80, 80), uniform(120, 120, 120)));
     EXPECT_GT(largest(flipMap(edgeAt(56), edgeAt(64))), uniformError);
 }
@@ -179,13 +173,10 @@ TEST(Flip, BordersAreContinuedNotDarkened)
 // A strip boundary would show as a jump where the picture has none.
 TEST(Flip, IsTheSameWhereverAPictureIsCutIntoStrips)
 {
-    const auto tall = [](int amount) {
-        return grey(12, 301, [=](int x, int) { return 100 + amount * (x % 5); });
-    };
+    const auto tall = [](int amount) { return grey(12, 301, [=](int x, int) { return 100 + amount * (x % 5); }); };
     const Image map = flipMap(tall(0), tall(20));
     for (int y = 1; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x)
-            ASSERT_EQ(at(map, x, y), at(map, x, 0)) << x << ',' << y;
+        for (int x = 0; x < map.width; ++x) ASSERT_EQ(at(map, x, y), at(map, x, 0)) << x << ',' << y;
 }
 
 TEST(Flip, IgnoresAlpha)
@@ -213,8 +204,7 @@ TEST(Flip, MeansOverMasks)
 
 TEST(Flip, TellsWhatItCannotCompare)
 {
-    const auto complaint = [](const Image& a, const Image& b,
-                              double pixelsPerDegree = defaultPixelsPerDegree) {
+    const auto complaint = [](const Image& a, const Image& b, double pixelsPerDegree = defaultPixelsPerDegree) {
         return test::messageOf<Error>([&] { flipMap(a, b, pixelsPerDegree); });
     };
     Image small = grey(8, 8, [](int, int) { return 0; });

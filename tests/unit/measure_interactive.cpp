@@ -31,8 +31,7 @@ struct FakeScreen {
 void expectNear(const std::vector<double>& values, const std::vector<double>& expected)
 {
     ASSERT_EQ(values.size(), expected.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-        EXPECT_NEAR(values[i], expected[i], 1e-6) << i;
+    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], expected[i], 1e-6) << i;
 }
 
 TEST(Interactive, AnInputWaitsForTheFrameUnderWayAndForItsOwn)
@@ -52,8 +51,7 @@ TEST(Interactive, OneSlowFrameIsTheLongestDelayOfAllThatWaitedForIt)
 {
     FakeScreen screen{{0.015, 0.500, 0.015}};
     std::vector<double> due;
-    for (int i = 0; i <= 100; ++i)
-        due.push_back(0.01 * i);
+    for (int i = 0; i <= 100; ++i) due.push_back(0.01 * i);
     const InteractiveTimes times = screen.play(due);
     ASSERT_EQ(times.delayMs.size(), due.size()) << "every input is shown";
     // The input of 10 ms is taken by the slow frame at 15 ms; the one of 20 ms comes during it and waits for
@@ -120,13 +118,11 @@ TEST(RecordedFlight, ThePilotFliesAtRealSpeedWhateverTheFrameRate)
     start.eye = vec3(0.0f, 2.0f, 0.0f);
     start.target = vec3(0.0f, 2.0f, -10.0f);
     const std::vector<Camera> cameras{start};
-    const std::vector<RecordedInput> inputs = {{0.0, RecordedInput::Jump{0}},
-                                               {0.0, RecordedInput::Press{keyOf('W')}}};
+    const std::vector<RecordedInput> inputs = {{0.0, RecordedInput::Jump{0}}, {0.0, RecordedInput::Press{keyOf('W')}}};
     for (const double step : {0.01, 0.2}) {
         RecordedPilot pilot(cameras);
         pilot.take(inputs, 0.0);
-        for (int i = 1; i * step <= 1.0 + 1e-9; ++i)
-            pilot.take({}, i * step);
+        for (int i = 1; i * step <= 1.0 + 1e-9; ++i) pilot.take({}, i * step);
         EXPECT_NEAR(pilot.camera().eye.z, -FlyCamera(start).speed(), 1e-3f) << step;
     }
 }

@@ -11,10 +11,7 @@
 namespace tarn {
 namespace {
 
-BenchSeries series(const std::vector<double>& wallMs)
-{
-    return {.wallMs = wallMs, .cpuMs = wallMs, .triangles = 12};
-}
+BenchSeries series(const std::vector<double>& wallMs) { return {.wallMs = wallMs, .cpuMs = wallMs, .triangles = 12}; }
 
 /// Caustics halve the frame rate of every frame, on a machine that becomes ten times slower half-way.
 BenchReport causticsReport()
@@ -22,13 +19,11 @@ BenchReport causticsReport()
     BenchReport report;
     report.context = {{"renderer", "an abacus"}, {"size", "8x6"}};
     report.plan = {.frames = 3, .warmUp = 1};
+    report.results.push_back({"caustics on",
+                              series({20.0, 20.0, 200.0}),
+                              {{"scene", series({4.0})}, {"caustics", series({9.5})}, {"water", series({6.0})}}});
     report.results.push_back(
-        {"caustics on",
-         series({20.0, 20.0, 200.0}),
-         {{"scene", series({4.0})}, {"caustics", series({9.5})}, {"water", series({6.0})}}});
-    report.results.push_back({"caustics off",
-                              series({10.0, 10.0, 100.0}),
-                              {{"scene", series({4.25})}, {"water", series({5.75})}}});
+        {"caustics off", series({10.0, 10.0, 100.0}), {{"scene", series({4.25})}, {"water", series({5.75})}}});
     return report;
 }
 
@@ -57,8 +52,7 @@ TEST(PaperTables, EachCardHasAFigureForEachRow)
         EXPECT_LT(table.base, table.rows.size());
         for (const PaperCard& card : table.cards)
             EXPECT_EQ(card.framesPerSecond.size(), table.rows.size()) << card.name;
-        for (const PaperRow& row : table.rows)
-            EXPECT_FALSE(row.assignments.empty()) << row.name;
+        for (const PaperRow& row : table.rows) EXPECT_FALSE(row.assignments.empty()) << row.name;
     }
 }
 
@@ -105,15 +99,13 @@ TEST(PaperTables, RatioIsOfFramesDrawnNextToEachOther)
 TEST(PaperTables, TextureSizesAreComparedWithTheSmallest)
 {
     BenchReport report;
-    for (const double ms : {10.0, 12.5, 40.0})
-        report.results.push_back({"a size", series({ms}), {}});
+    for (const double ms : {10.0, 12.5, 40.0}) report.results.push_back({"a size", series({ms}), {}});
     const nlohmann::json json = toJson(textureTable(), report);
     const nlohmann::json& rows = json["table"]["rows"];
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_EQ(json["table"]["base"], "256x256");
-    EXPECT_EQ(rows[2]["settings"],
-              nlohmann::json::array({"refraction.target_size=1024", "reflection.target_size=1024",
-                                     "caustics.texture_size=1024"}));
+    EXPECT_EQ(rows[2]["settings"], nlohmann::json::array({"refraction.target_size=1024", "reflection.target_size=1024",
+                                                          "caustics.texture_size=1024"}));
     EXPECT_DOUBLE_EQ(rows[0]["ratio"], 1.0);
     EXPECT_DOUBLE_EQ(rows[1]["ratio"], 0.8);
     EXPECT_DOUBLE_EQ(rows[2]["ratio"], 0.25);

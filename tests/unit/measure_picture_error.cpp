@@ -69,8 +69,7 @@ TEST(PictureError, NamesTheFileAndPixelOfNanAndInfinity)
 {
     Image bad{"bad.exr", 2, 2, 3, {}, std::vector<float>(12, 1.0f)}, good = bad;
     bad.floats[3 * 2 + 1] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_CONTAINS(test::messageOf<Error>([&] { pictureError(good, bad); }),
-                    "bad.exr: the green of pixel 0,1 is NaN");
+    EXPECT_CONTAINS(test::messageOf<Error>([&] { pictureError(good, bad); }), "bad.exr: the green of pixel 0,1 is NaN");
     bad.floats[3 * 1 + 2] = -std::numeric_limits<float>::infinity();
     EXPECT_CONTAINS(test::messageOf<Error>([&] { pictureError(bad, good); }),
                     "bad.exr: the blue of pixel 1,0 is infinite");
@@ -118,17 +117,14 @@ TEST(HeatPicture, SpansTheGivenRange)
     EXPECT_EQ(picture.channels, 3);
     for (const auto& [pixel, x] : {std::pair(0, 0.0), std::pair(1, 0.5), std::pair(2, 1.0)})
         for (int i = 0; i < 3; ++i)
-            EXPECT_NEAR(picture.bytes[static_cast<std::size_t>(3 * pixel + i)], 255.0f * heatColour(x)[i],
-                        0.51f);
+            EXPECT_NEAR(picture.bytes[static_cast<std::size_t>(3 * pixel + i)], 255.0f * heatColour(x)[i], 0.51f);
     EXPECT_THROW(heatPicture(floats({1, 2, 3}), 0.0, 1.0), Error);
     EXPECT_THROW(heatPicture(floats({1}, 1), 1.0, 1.0), Error);
 }
 
 TEST(Colour, LabOfThePrimariesIsAsPublished)
 {
-    const auto lab = [](float r, float g, float b) {
-        return labFromRelative(relativeFromRgb() * vec3(r, g, b));
-    };
+    const auto lab = [](float r, float g, float b) { return labFromRelative(relativeFromRgb() * vec3(r, g, b)); };
     const auto near = [](const vec3& a, const vec3& b) { return glm::length(a - b) < 0.02f; };
     EXPECT_TRUE(near(lab(1, 1, 1), {100.0f, 0.0f, 0.0f}));
     EXPECT_TRUE(near(lab(0, 1, 0), {87.735f, -86.183f, 83.179f}));

@@ -18,8 +18,7 @@ Image textured(int width, int height, unsigned seed = 1)
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> value(20, 235);
     image.bytes.resize(image.size());
-    for (auto& byte : image.bytes)
-        byte = static_cast<std::uint8_t>(value(random));
+    for (auto& byte : image.bytes) byte = static_cast<std::uint8_t>(value(random));
     return image;
 }
 
@@ -61,8 +60,7 @@ TEST(PictureComparison, NoiseWithinTheChannelTolerancePasses)
     Image noisy = golden;
     std::mt19937 random(2);
     std::uniform_int_distribution<int> noise(-5, 5);
-    for (auto& byte : noisy.bytes)
-        byte = static_cast<std::uint8_t>(byte + noise(random));
+    for (auto& byte : noisy.bytes) byte = static_cast<std::uint8_t>(byte + noise(random));
     const PictureComparison result = comparePictures(golden, noisy);
     EXPECT_TRUE(result.same()) << result.summary();
     EXPECT_EQ(result.largest, 5);
@@ -170,11 +168,10 @@ TEST(Base64, AsInRfc4648)
 
 TEST(ComparisonPage, HoldsThePicturesAndNeedsNothingElse)
 {
-    const ComparisonEntry entry{"case-a", "what it shows", "3 pixels <differ>",
-                                "foo",    "foobar",        std::nullopt};
+    const ComparisonEntry entry{"case-a", "what it shows", "3 pixels <differ>", "foo", "foobar", std::nullopt};
     const std::string page = comparisonPage("1 & only", {entry});
-    for (const char* wanted : {"base64,Zm9v\"", "base64,Zm9vYmFy\"", "no difference picture",
-                               "3 pixels &lt;differ&gt;", "1 &amp; only", "class=\"flip\""})
+    for (const char* wanted : {"base64,Zm9v\"", "base64,Zm9vYmFy\"", "no difference picture", "3 pixels &lt;differ&gt;",
+                               "1 &amp; only", "class=\"flip\""})
         EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
     for (const char* unwanted : {"http", "<script", "src=\"/", "<differ>"})
         EXPECT_EQ(page.find(unwanted), std::string::npos) << unwanted;
@@ -182,8 +179,7 @@ TEST(ComparisonPage, HoldsThePicturesAndNeedsNothingElse)
 
 TEST(ComparisonPage, AMissingGoldenIsToldAndLeavesNothingToFlip)
 {
-    const std::string page =
-        comparisonPage("t", {{"case-a", "", "no golden", std::nullopt, "foo", std::nullopt}});
+    const std::string page = comparisonPage("t", {{"case-a", "", "no golden", std::nullopt, "foo", std::nullopt}});
     EXPECT_NE(page.find("no expected picture"), std::string::npos);
     EXPECT_EQ(page.find("<figure class=\"flip\">"), std::string::npos);
 }

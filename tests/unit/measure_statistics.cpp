@@ -10,10 +10,8 @@
 #include <chrono>
 #include <thread>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 TEST(Statistics, PercentileInterpolatesBetweenNeighbours)
 {
@@ -35,8 +33,7 @@ TEST(Statistics, OneSampleIsEveryPercentile)
 {
     const Summary s = summarise(std::vector<double>{7.0});
     EXPECT_EQ(s.count, 1u);
-    for (const double value : {s.minimum, s.median, s.mean, s.p95, s.maximum})
-        EXPECT_DOUBLE_EQ(value, 7.0);
+    for (const double value : {s.minimum, s.median, s.mean, s.p95, s.maximum}) EXPECT_DOUBLE_EQ(value, 7.0);
 }
 
 TEST(Statistics, SummaryOfOddAndSkewedSamples)
@@ -70,23 +67,18 @@ TEST(Statistics, PairedRatioIgnoresDriftThatStrikesBoth)
 }
 
 /// Writes its name and frame into a log; sleeps as long as it is told.
-class FakeSubject : public BenchSubject
-{
+class FakeSubject : public BenchSubject {
 public:
     FakeSubject(std::string name, int milliseconds, std::vector<std::string>& log)
         : name_(std::move(name)), milliseconds_(milliseconds), log_(log)
-    {
-    }
+    {}
     std::string name() const override { return name_; }
     void draw(int index) override
     {
         log_.push_back(name_ + std::to_string(index));
         std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds_));
     }
-    std::vector<BenchPass> drawPasses(int) override
-    {
-        return {{"scene", 1.5, 1.0, 1000}, {"water", 0.5, -1.0, 24}};
-    }
+    std::vector<BenchPass> drawPasses(int) override { return {{"scene", 1.5, 1.0, 1000}, {"water", 0.5, -1.0, 24}}; }
 
 private:
     std::string name_;
@@ -112,8 +104,7 @@ TEST(Benchmark, SubjectsTakeTurnsInAlternatingOrderAfterWarmingUp)
 
 TEST(Benchmark, TellsASubjectWhetherAnotherDrewSince)
 {
-    class Follower : public FakeSubject
-    {
+    class Follower : public FakeSubject {
     public:
         using FakeSubject::FakeSubject;
         void prepare(int, bool followsItself) override { followed.push_back(followsItself); }
@@ -134,8 +125,7 @@ TEST(Benchmark, TellsASubjectWhetherAnotherDrewSince)
 TEST(Benchmark, PreparationIsNotCounted)
 {
     /// Slow to prepare, quick to draw.
-    class SlowStarter : public FakeSubject
-    {
+    class SlowStarter : public FakeSubject {
     public:
         using FakeSubject::FakeSubject;
         void prepare(int, bool) override
@@ -161,8 +151,7 @@ TEST(Benchmark, MeasuresEachFrameAndSomeOfThePasses)
     const BenchResult& a = report.results[0];
     EXPECT_EQ(a.frame.wallMs.size(), 5u);
     EXPECT_EQ(a.frame.cpuMs.size(), 5u);
-    for (const double ms : a.frame.wallMs)
-        EXPECT_GE(ms, 8.0); // a sleep never ends early
+    for (const double ms : a.frame.wallMs) EXPECT_GE(ms, 8.0); // a sleep never ends early
     ASSERT_EQ(a.passes.size(), 2u);
     EXPECT_EQ(a.passes[0].first, "scene");
     EXPECT_EQ(a.passes[0].second.wallMs, (std::vector<double>{1.5, 1.5, 1.5}));
@@ -182,8 +171,7 @@ TEST(Benchmark, ReportTellsRatiosAgainstTheLast)
     ASSERT_EQ(json["ratios"].size(), 1u);
     EXPECT_DOUBLE_EQ(json["ratios"][0]["wall"], 3.0);
     EXPECT_DOUBLE_EQ(json["ratios"][0]["cpu"], 4.0);
-    EXPECT_NE(toTable(report).find("water costs 3.00 x dry (wall time) and 4.00 x (processor time)"),
-              std::string::npos)
+    EXPECT_NE(toTable(report).find("water costs 3.00 x dry (wall time) and 4.00 x (processor time)"), std::string::npos)
         << toTable(report);
 }
 
@@ -210,11 +198,9 @@ TEST(Benchmark, EveryResultIsToldInYardsticks)
     EXPECT_EQ(yardstickLines(report), "");
     EXPECT_FALSE(toJson(report).contains("yardstick"));
     report.yardstick = BenchResult{"yardstick", {{2.0, 2.0, 50.0}, {4.0, 4.0, 5.0}, 100352}, {}};
-    EXPECT_NE(toTable(report).find("water: 3.50 x yardstick (wall time), 10.00 x (processor time)"),
-              std::string::npos)
+    EXPECT_NE(toTable(report).find("water: 3.50 x yardstick (wall time), 10.00 x (processor time)"), std::string::npos)
         << toTable(report);
-    EXPECT_NE(toTable(report).find("dry: 1.00 x yardstick (wall time), 2.50 x"), std::string::npos)
-        << toTable(report);
+    EXPECT_NE(toTable(report).find("dry: 1.00 x yardstick (wall time), 2.50 x"), std::string::npos) << toTable(report);
     const nlohmann::json json = toJson(report);
     EXPECT_DOUBLE_EQ(json["configurations"][0]["yardsticks"]["cpu"], 10.0);
     EXPECT_DOUBLE_EQ(json["yardstick"]["frame"]["wall_ms"]["median"], 2.0);
@@ -232,8 +218,7 @@ TEST(Benchmark, CountsTheCallsOfTheMeasuredFrames)
         void draw(int index) override { call(index + 2); }
         static void call(int times)
         {
-            for (int i = 0; i < times; ++i)
-                gl::count(gl::Call::programBind);
+            for (int i = 0; i < times; ++i) gl::count(gl::Call::programBind);
         }
     };
     std::vector<std::string> log;
@@ -257,8 +242,7 @@ TEST(Benchmark, ProcessorTimeGrowsWithWork)
 {
     const double start = processCpuSeconds();
     volatile double sink = 0.0;
-    while (processCpuSeconds() - start < 0.005)
-        sink = sink + 1.0;
+    while (processCpuSeconds() - start < 0.005) sink = sink + 1.0;
     EXPECT_GT(sink, 0.0);
     const double beforeSleep = processCpuSeconds();
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

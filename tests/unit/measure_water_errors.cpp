@@ -10,10 +10,8 @@
 #include <cmath>
 #include <limits>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 using reference::Event;
 
@@ -110,7 +108,8 @@ TEST(WaterErrors, APixelWithoutASampleIsWrongButNoDistance)
     EXPECT_TRUE(std::isnan(figures.refractionMedian));
 }
 
-/// A bed at -1 m over -8 to 8 m in both directions, in texels of 1 m, with a wall of half a metre on the texels of a column.
+/// A bed at -1 m over -8 to 8 m in both directions, in texels of 1 m, with a wall of half a metre on the texels of a
+/// column.
 HeightField bedWithWall(int column)
 {
     HeightField field;
@@ -177,7 +176,7 @@ TEST(WaterErrors, WhatIsMirroredMayBeAnotherThing)
         p.used.mirrorsSky[i] = 0;
         p.used.mirrored[i] = p.truth.surface[i] + distance * p.used.mirrored[i];
     };
-    meets(0);      // shows the sky
+    meets(0); // shows the sky
     meets(1);
     shows(1, 10.9f);
     meets(2);
@@ -243,8 +242,7 @@ TEST(WaterErrors, NoWaterInOneIsNoError)
 
     p.truth.events.assign(4, 0);
     const ErrorFigures figures = errorFigures(p.used, p.truth);
-    for (const FigureField& field : errorFigureFields())
-        EXPECT_TRUE(std::isnan(figures.*field.member)) << field.name;
+    for (const FigureField& field : errorFigureFields()) EXPECT_TRUE(std::isnan(figures.*field.member)) << field.name;
 }
 
 TEST(WaterErrors, NothingRefractedLeavesTheOthers)
@@ -385,16 +383,14 @@ TEST(ErrorMap, ItsColoursGrowBrighterAndGreyIsUnknown)
     Image map;
     map.width = 12;
     map.height = map.channels = 1;
-    for (int i = 0; i <= 10; ++i)
-        map.floats.push_back(0.05f * static_cast<float>(i));
+    for (int i = 0; i <= 10; ++i) map.floats.push_back(0.05f * static_cast<float>(i));
     map.floats.push_back(std::numeric_limits<float>::quiet_NaN());
     const Image picture = heatPicture(map, 0.0, 0.5);
     ASSERT_EQ(picture.bytes.size(), 36u);
     const auto brightness = [&](std::size_t pixel) {
         return 2 * picture.bytes[3 * pixel] + 7 * picture.bytes[3 * pixel + 1] + picture.bytes[3 * pixel + 2];
     };
-    for (std::size_t pixel = 1; pixel <= 10; ++pixel)
-        EXPECT_GT(brightness(pixel), brightness(pixel - 1));
+    for (std::size_t pixel = 1; pixel <= 10; ++pixel) EXPECT_GT(brightness(pixel), brightness(pixel - 1));
     EXPECT_LT(brightness(0), 20);
     EXPECT_EQ(heatPicture(map, 0.0, 0.01).bytes[3 * 10], picture.bytes[3 * 10]); // beyond the end is the end
     EXPECT_EQ(picture.bytes[33], picture.bytes[34]);

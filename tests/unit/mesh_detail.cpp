@@ -20,7 +20,10 @@ namespace {
 constexpr int cells = 64;       // along an edge of the ground
 constexpr float spacing = 0.5f; // m
 
-float hilly(float x, float z) { return 0.8f * std::sin(0.31f * x) * std::cos(0.23f * z) + 0.03f * std::sin(2.9f * x + z); }
+float hilly(float x, float z)
+{
+    return 0.8f * std::sin(0.31f * x) * std::cos(0.23f * z) + 0.03f * std::sin(2.9f * x + z);
+}
 
 Mesh ground(const std::function<float(float, float)>& height, int strips)
 {
@@ -75,8 +78,9 @@ TEST(NearestSurface, IsAsNearAsTheNearestOfManyPoints)
             for (int a = 0; a <= n; ++a)
                 for (int b = 0; a + b <= n; ++b) {
                     const vec3 w = vec3(a, b, n - a - b) / static_cast<float>(n);
-                    sampled = std::min(sampled, glm::distance(from, w.x * positions[3 * t] + w.y * positions[3 * t + 1] +
-                                                                        w.z * positions[3 * t + 2]));
+                    sampled =
+                        std::min(sampled, glm::distance(from, w.x * positions[3 * t] + w.y * positions[3 * t + 1] +
+                                                                  w.z * positions[3 * t + 2]));
                 }
         EXPECT_LE(point.distance, sampled + 1e-5f);
         EXPECT_GE(point.distance, sampled - 0.1f) << "the lattice is finer than that";
@@ -120,7 +124,8 @@ TEST(Collapse, DoesNotTearWhatIsCutOutOfACard)
     for (std::uint32_t j = 0; j < 4; ++j)
         for (std::uint32_t i = 0; i < 4; ++i)
             if (i < 3 || j < 3)
-                for (const std::uint32_t v : {j * 5 + i, j * 5 + i + 1, j * 5 + i + 6, j * 5 + i, j * 5 + i + 6, j * 5 + i + 5})
+                for (const std::uint32_t v :
+                     {j * 5 + i, j * 5 + i + 1, j * 5 + i + 6, j * 5 + i, j * 5 + i + 6, j * 5 + i + 5})
                     mesh.indices.push_back(v);
     const std::vector<float> scales(mesh.vertices.size(), 4.0f);
     const Collapsed coarse = collapse(mesh.vertices, mesh.indices, scales, 8, 8, false);
@@ -253,7 +258,8 @@ TEST(MeshDetail, CardsOfLeavesKeepTheirOutlines)
             }
         for (std::uint32_t j = 0; j < 8; ++j)
             for (std::uint32_t i = 0; i < 8; ++i)
-                for (const std::uint32_t v : {j * 9 + i, j * 9 + i + 1, j * 9 + i + 10, j * 9 + i, j * 9 + i + 10, j * 9 + i + 9})
+                for (const std::uint32_t v :
+                     {j * 9 + i, j * 9 + i + 1, j * 9 + i + 10, j * 9 + i, j * 9 + i + 10, j * 9 + i + 9})
                     mesh.indices.push_back(first + v);
     }
     mesh.parts = {{0, 0, static_cast<std::uint32_t>(mesh.indices.size()), mesh.bounds}};

@@ -38,7 +38,8 @@ TEST(NormalMap, FourEqualLayersHaveTheLayersSlope)
 TEST(NormalMap, LayersThatLeanApartAreLevelTogether)
 {
     dvec3 sum(0.0);
-    for (const dvec2 slope : {dvec2(0.3, 0.0), dvec2(-0.3, 0.0), dvec2(0.0, 0.7), dvec2(0.0, -0.7)}) sum += normalOf(slope);
+    for (const dvec2 slope : {dvec2(0.3, 0.0), dvec2(-0.3, 0.0), dvec2(0.0, 0.7), dvec2(0.0, -0.7)})
+        sum += normalOf(slope);
     EXPECT_LT(glm::length(optics64::normalMapSlope(sum, 0.2)), 1e-12);
 }
 
@@ -87,7 +88,8 @@ TEST(NormalMap, LayersDriftWithTheirVelocities)
 
 WaterSurface surfaceOf(const Scene& scene, double time = 0.0)
 {
-    return WaterSurface(scene.water, time, {}, {}, &scene.images[static_cast<std::size_t>(scene.water.normalMap.image)]);
+    return WaterSurface(scene.water, time, {}, {},
+                        &scene.images[static_cast<std::size_t>(scene.water.normalMap.image)]);
 }
 
 void addWaves(Scene& scene) { scene.water.waves = {{0.06f, 2.3f, 0.3f, 0.4f, 0.0f}, {0.03f, 0.9f, 1.7f, 1.1f, 0.0f}}; }
@@ -121,13 +123,14 @@ TEST(ReferenceRipples, AConstantTiltAddsItsSlopeToTheWaves)
     EXPECT_EQ(surfaceOf(scene, 1.3).normal(1.0, 2.0), WaterSurface(scene.water, 1.3).normal(1.0, 2.0));
 }
 
-/// A sine on whole wave numbers, whose mean over the layers is known: the picture is read where the layers lie, with x to
-/// the right and z upward, and goes on over its edges.
+/// A sine on whole wave numbers, whose mean over the layers is known: the picture is read where the layers lie, with x
+/// to the right and z upward, and goes on over its edges.
 TEST(ReferenceRipples, ASineIsFoundWhereItsLayersLie)
 {
     Scene scene = test::flatLake(2.0f, 20.0f);
     const auto slopeAt = [](const dvec2& uv) {
-        return 0.15 * std::cos(twoPi * (2.0 * uv.x + uv.y)) * dvec2(1.0, 0.5) + dvec2(0.0, 0.1 * std::sin(twoPi * uv.y));
+        return 0.15 * std::cos(twoPi * (2.0 * uv.x + uv.y)) * dvec2(1.0, 0.5) +
+               dvec2(0.0, 0.1 * std::sin(twoPi * uv.y));
     };
     test::addNormalMap(scene, 256, [&](const vec2& uv) { return vec2(slopeAt(dvec2(uv))); });
     scene.water.normalMap.tile = 1.5f;
@@ -194,7 +197,8 @@ TEST(ShippedRipples, AreSeamlessAndLevel)
             mean += slope(x, y) / (static_cast<double>(edge) * edge);
             squares += 0.5 * glm::dot(slope(x, y), slope(x, y)) / (static_cast<double>(edge) * edge);
             double& widest = x + 1 == edge || y + 1 == edge ? across : inside;
-            widest = std::max({widest, glm::distance(slope(x, y), slope(x + 1, y)), glm::distance(slope(x, y), slope(x, y + 1))});
+            widest = std::max(
+                {widest, glm::distance(slope(x, y), slope(x + 1, y)), glm::distance(slope(x, y), slope(x, y + 1))});
         }
     EXPECT_LT(glm::length(mean), 2e-3);
     EXPECT_NEAR(std::sqrt(squares), 0.2, 0.002);

@@ -8,10 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 constexpr float degree = std::numbers::pi_v<float> / 180.0f;
 constexpr float n = 1.33f;
@@ -56,8 +54,8 @@ TEST(RefractionCamera, ItsBottomRayIsTheRefractedOneThroughO)
 TEST(RefractionCamera, TurnsByTheAngleOfRefraction)
 {
     // Bottom ray 60° from the vertical: refracted to asin(sin 60° / 1.33) = 40.63°.
-    const auto turned = optics::refractionCamera({0.0f, 1.0f, 0.0f}, looking(-10.0f * degree, 0.0f), up,
-                                                 40.0f * degree, 0.0f, n);
+    const auto turned =
+        optics::refractionCamera({0.0f, 1.0f, 0.0f}, looking(-10.0f * degree, 0.0f), up, 40.0f * degree, 0.0f, n);
     EXPECT_NEAR(turned.angle / degree, 60.0f - 40.63f, 0.01f);
     EXPECT_GT(turned.eye.y, 1.0f);
 }

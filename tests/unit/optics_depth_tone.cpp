@@ -7,10 +7,8 @@
 #include <cmath>
 #include <limits>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 TEST(Depth, AgreesWithTheProjectionMatrix)
 {
@@ -72,8 +70,7 @@ TEST(ToneCurve, EachIsMonotonicBoundedAndSafeAtTheExtremes)
             EXPECT_LE(y, 1.0f) << x;
             last = y;
         }
-        for (float x : {1.0e30f, largest, infinity})
-            EXPECT_GT(curve(vec3(x)).x, 0.999f) << x;
+        for (float x : {1.0e30f, largest, infinity}) EXPECT_GT(curve(vec3(x)).x, 0.999f) << x;
     }
 }
 
@@ -88,8 +85,8 @@ TEST(ToneCurve, KnownValues)
 
 TEST(Anaglyph, EachFilterPassesItsEyesPicture)
 {
-    using optics64::anaglyphRedCyan;
     using glm::dvec3;
+    using optics64::anaglyphRedCyan;
     for (const double grey : {0.0, 0.2, 1.0})
         EXPECT_LT(glm::distance(anaglyphRedCyan(dvec3(grey), dvec3(grey)), dvec3(grey)), 1e-4) << "equal grey stays";
     // Through the red filter the left eye's light alone is seen, through the cyan one the right eye's.

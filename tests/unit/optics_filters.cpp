@@ -34,8 +34,7 @@ constexpr std::array<std::array<int, 2>, 12> places{
 void overFractions(const std::function<void(dvec2)>& visit)
 {
     for (int y = 0; y <= 10; ++y)
-        for (int x = 0; x <= 10; ++x)
-            visit(0.1 * dvec2(x, y));
+        for (int x = 0; x <= 10; ++x) visit(0.1 * dvec2(x, y));
 }
 
 TEST(Upscale, AConstantStaysWhatItIs)
@@ -72,13 +71,12 @@ TEST(Upscale, WeightsHaveASumToDivideByWhateverTheEdge)
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     for (int i = 0; i < 100000; ++i) {
-        const auto window = optics64::edgeWindow(
-            dvec3(2.0 * unit(random) - 1.0, 2.0 * unit(random) - 1.0, 2.0 * unit(random)));
+        const auto window =
+            optics64::edgeWindow(dvec3(2.0 * unit(random) - 1.0, 2.0 * unit(random) - 1.0, 2.0 * unit(random)));
         EXPECT_NEAR(glm::length(window.across), 1.0, 1e-12);
         const dvec2 at(unit(random), unit(random));
         double sum = 0.0;
-        for (const auto& place : places)
-            sum += optics64::edgeWeight(window, dvec2(place[0], place[1]) - at);
+        for (const auto& place : places) sum += optics64::edgeWeight(window, dvec2(place[0], place[1]) - at);
         ASSERT_GT(sum, 0.8);
         ASSERT_LT(sum, 4.0);
     }
@@ -112,8 +110,7 @@ TEST(Upscale, TheWindowIsLongAlongAnEdge)
     EXPECT_GT(optics64::edgeWeight(upright, dvec2(0.0, 1.0)), 0.4);
     EXPECT_LT(optics64::edgeWeight(upright, dvec2(1.0, 0.0)), 0.05);
     const auto diagonal = optics64::edgeWindow(dvec3(1.0, 1.0, 2.0));
-    EXPECT_GT(optics64::edgeWeight(diagonal, dvec2(1.0, -1.0)),
-              optics64::edgeWeight(diagonal, dvec2(1.0, 1.0)));
+    EXPECT_GT(optics64::edgeWeight(diagonal, dvec2(1.0, -1.0)), optics64::edgeWeight(diagonal, dvec2(1.0, 1.0)));
 }
 
 TEST(Upscale, NothingRings)
@@ -122,8 +119,8 @@ TEST(Upscale, NothingRings)
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     int sharper = 0;
     for (int i = 0; i < 20000; ++i) {
-        const UpscaleTexels t = texelsOf(
-            [&](double, double) { return dvec3(unit(random), unit(random), std::round(unit(random))); });
+        const UpscaleTexels t =
+            texelsOf([&](double, double) { return dvec3(unit(random), unit(random), std::round(unit(random))); });
         const dvec3 darkest = glm::min(glm::min(t.c00, t.c10), glm::min(t.c01, t.c11));
         const dvec3 lightest = glm::max(glm::max(t.c00, t.c10), glm::max(t.c01, t.c11));
         const dvec2 at(unit(random), unit(random));
@@ -159,8 +156,7 @@ double errorOfEdge(double degrees, bool followsEdges)
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x) {
             const dvec2 at = (dvec2(x, y) + 0.5) / 4.0;
-            const double is =
-                (followsEdges ? optics64::edgeUpscaled(t, at) : optics64::bilinearUpscaled(t, at)).x;
+            const double is = (followsEdges ? optics64::edgeUpscaled(t, at) : optics64::bilinearUpscaled(t, at)).x;
             sum += std::abs(is - mean(at, 0.25));
         }
     return sum / 16.0;
@@ -204,8 +200,7 @@ TEST(AreaMean, OverlapsShareOutTheTexels)
             }
             EXPECT_NEAR(sum, perPixel, 1e-12);
         }
-        for (const double part : used)
-            EXPECT_NEAR(part, 1.0, 1e-12);
+        for (const double part : used) EXPECT_NEAR(part, 1.0, 1e-12);
     }
 }
 
@@ -241,8 +236,7 @@ TEST(Fxaa, ALonePixelIsTakenIntoItsNeighbours)
 {
     EXPECT_DOUBLE_EQ(optics64::fxaaSubpixelShift(1.0, 0.0, 0.0, 1.0), optics64::fxaaSubpixelStrength);
     EXPECT_DOUBLE_EQ(optics64::fxaaSubpixelShift(0.5, 2.0, 2.0, 0.3), 0.0); // their mean already
-    const double edge =
-        optics64::fxaaSubpixelShift(1.0, 3.0, 2.0, 1.0); // a straight edge: a third of it is over there
+    const double edge = optics64::fxaaSubpixelShift(1.0, 3.0, 2.0, 1.0); // a straight edge: a third of it is over there
     EXPECT_GT(edge, 0.0);
     EXPECT_LT(edge, 0.1);
     EXPECT_LT(optics64::fxaaSubpixelShift(0.4, 1.6, 1.6, 0.0), 1e-9);

@@ -32,8 +32,8 @@ TableError errorOf(const FresnelTable& table, double n)
     return error;
 }
 
-/// Largest slope and curvature of the reflectance over the cosine, both at grazing incidence: its Taylor series there is
-/// 1 - 2 (1 + n²) / √(n² - 1) c + 4 (1 + n⁴) / (n² - 1) c² - …
+/// Largest slope and curvature of the reflectance over the cosine, both at grazing incidence: its Taylor series there
+/// is 1 - 2 (1 + n²) / √(n² - 1) c + 4 (1 + n⁴) / (n² - 1) c² - …
 double steepest(double n) { return 2.0 * (1.0 + n * n) / std::sqrt(n * n - 1.0); }
 double mostCurved(double n) { return 8.0 * (1.0 + n * n * n * n) / (n * n - 1.0); }
 
@@ -47,7 +47,9 @@ TEST(FresnelTable, NearestTexelIsOffByHalfATexelOfTheSteepestSlope)
             const double bound = 0.5 * steepest(n) / size;
             const double largest = errorOf(table, n).largest;
             EXPECT_LE(largest, bound + rounding) << n << ", " << size;
-            if (size >= 128) { EXPECT_GE(largest, 0.85 * bound) << n << ", " << size; } // and no better than that
+            if (size >= 128) {
+                EXPECT_GE(largest, 0.85 * bound) << n << ", " << size;
+            } // and no better than that
         }
 }
 
@@ -59,7 +61,9 @@ TEST(FresnelTable, BlendedTexelsAreOffByTheCurvature)
             const double bound = 0.125 * mostCurved(n) / ((size - 1.0) * (size - 1.0));
             const double largest = errorOf(table, n).largest;
             EXPECT_LE(largest, bound + rounding) << n << ", " << size;
-            if (size >= 128 && size <= 512) { EXPECT_GE(largest, 0.75 * bound) << n << ", " << size; }
+            if (size >= 128 && size <= 512) {
+                EXPECT_GE(largest, 0.75 * bound) << n << ", " << size;
+            }
         }
 }
 
@@ -70,9 +74,10 @@ TEST(FresnelTable, ErrorsForWaterAreAsDocumented)
         int size;
         double nearestLargest, nearestMean, linearLargest, linearMean;
     };
-    for (const Figure& f : {Figure{16, 0.178, 0.0153, 0.0188, 0.00233}, Figure{64, 0.0481, 0.00383, 0.00128, 1.33e-4},
-                            Figure{256, 0.0123, 9.58e-4, 8.14e-5, 8.09e-6}, Figure{1024, 0.00308, 2.39e-4, 5.1e-6, 5.0e-7},
-                            Figure{4096, 7.71e-4, 5.99e-5, 3.2e-7, 3.1e-8}}) {
+    for (const Figure& f :
+         {Figure{16, 0.178, 0.0153, 0.0188, 0.00233}, Figure{64, 0.0481, 0.00383, 0.00128, 1.33e-4},
+          Figure{256, 0.0123, 9.58e-4, 8.14e-5, 8.09e-6}, Figure{1024, 0.00308, 2.39e-4, 5.1e-6, 5.0e-7},
+          Figure{4096, 7.71e-4, 5.99e-5, 3.2e-7, 3.1e-8}}) {
         const TableError nearest = errorOf(optics::makeFresnelTable(1.33f, f.size, TableFilter::nearest), 1.33);
         const TableError linear = errorOf(optics::makeFresnelTable(1.33f, f.size, TableFilter::linear), 1.33);
         EXPECT_NEAR(nearest.largest, f.nearestLargest, 0.02 * f.nearestLargest) << f.size;

@@ -16,10 +16,8 @@
 #include <optional>
 #include <vector>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 using glm::dvec2;
 using glm::dvec3;
@@ -86,8 +84,7 @@ struct Errors {
     }
     double shareOver(double limit) const
     {
-        return double(metres.end() - std::upper_bound(metres.begin(), metres.end(), limit)) /
-               double(metres.size());
+        return double(metres.end() - std::upper_bound(metres.begin(), metres.end(), limit)) / double(metres.size());
     }
 };
 
@@ -148,8 +145,7 @@ Errors run(const Lake& lake, int looks, bool takesLast = false)
         dvec3 w = optics64::planarIntersection(u, r, first);
         if (looks > 0) {
             auto state = optics64::intersectionBegin(u, r, first);
-            for (int i = 1; i < looks; ++i)
-                state = optics64::intersectionStep(state, depth(state.W));
+            for (int i = 1; i < looks; ++i) state = optics64::intersectionStep(state, depth(state.W));
             if (takesLast) state = optics64::intersectionEnd(state);
             w = state.best;
         }
@@ -167,14 +163,8 @@ std::vector<optics64::WaveTerm> threeWaves()
             optics64::makeWaveTerm(0.015, 1.1, -0.8, 2.0)};
 }
 
-double flat(dvec2)
-{
-    return -3.0;
-}
-double bowl(dvec2 x)
-{
-    return -5.0 + glm::dot(x, x) / 60.0;
-}
+double flat(dvec2) { return -3.0; }
+double bowl(dvec2 x) { return -5.0 + glm::dot(x, x) / 60.0; }
 
 /// The bowl with a smooth bump and a wall of one metre in it.
 double brokenBowl(dvec2 x)
@@ -202,8 +192,7 @@ TEST(LineIntersection, ParallelLinesHaveNone)
     EXPECT_EQ(optics::closestOnRay(u, r, u + vec3(1.0f), 17.0f * r), u);
     // A thousandth of a radian is a crossing, not a parallel.
     const vec3 aside = glm::normalize(glm::cross(r, vec3(0.0f, 0.0f, 1.0f)));
-    EXPECT_NEAR(optics::distanceAlongRay(u, r, u + 2.0f * r + 0.001f * aside, r - 0.001f * aside), 3.0f,
-                0.01f);
+    EXPECT_NEAR(optics::distanceAlongRay(u, r, u + 2.0f * r + 0.001f * aside, r - 0.001f * aside), 3.0f, 0.01f);
 }
 
 /// The listing of section 7.1, as printed: RayIntersec(W_i, U, A_{i+1} - A_i, R) gives W_i back.
@@ -239,8 +228,7 @@ TEST(IntersectionSearch, FlatBedIsExactAfterThreeLooks)
                 for (int looks : {3, 4, 8}) {
                     const Errors errors = run(lake, looks);
                     ASSERT_GT(errors.metres.size(), 200u) << incidence;
-                    EXPECT_LT(errors.metres.back(), 1e-8)
-                        << incidence << ' ' << looks << ' ' << turned << waves;
+                    EXPECT_LT(errors.metres.back(), 1e-8) << incidence << ' ' << looks << ' ' << turned << waves;
                 }
             }
 }
@@ -345,8 +333,7 @@ TEST(IntersectionSearch, RayAlongTheViewDirection)
 {
     const vec3 u(0.0f, -1.0f, -3.0f), r = glm::normalize(u);
     auto state = optics::intersectionBegin(u, r, optics::seenThrough(u, -7.0f));
-    for (int i = 0; i < 8; ++i)
-        state = optics::intersectionStep(state, -7.0f);
+    for (int i = 0; i < 8; ++i) state = optics::intersectionStep(state, -7.0f);
     EXPECT_LT(glm::length(state.best - optics::seenThrough(u, -7.0f)), 1e-5f);
 }
 

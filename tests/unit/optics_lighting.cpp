@@ -9,10 +9,8 @@
 #include <functional>
 #include <numbers>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 using glm::dvec3;
 using glm::dvec4;
@@ -51,19 +49,16 @@ TEST(SkyIrradiance, BasisIsOrthogonal)
 TEST(SkyIrradiance, IsTheSumOverTheBasis)
 {
     dvec4 c[9];
-    for (int i = 0; i < 9; ++i)
-        c[i] = dvec4(1.0 + 0.1 * i, 2.0 - 0.1 * i, 0.3 * i, 99.0);
+    for (int i = 0; i < 9; ++i) c[i] = dvec4(1.0 + 0.1 * i, 2.0 - 0.1 * i, 0.3 * i, 99.0);
     c[0] = dvec4(20.0, 20.0, 20.0, 99.0);
     for (double zenith : {0.0, 0.4, 1.5, 2.9})
         for (double azimuth : {0.0, 1.0, 4.0}) {
             const dvec3 normal = fromAngles(zenith, azimuth);
             dvec3 sum(0.0);
-            for (int i = 0; i < 9; ++i)
-                sum += dvec3(c[i]) * optics64::shBasis(i, normal);
+            for (int i = 0; i < 9; ++i) sum += dvec3(c[i]) * optics64::shBasis(i, normal);
             EXPECT_LT(glm::length(optics64::shIrradiance(c, normal) - sum), 1e-12);
         }
-    for (auto& x : c)
-        x = dvec4(0.0);
+    for (auto& x : c) x = dvec4(0.0);
     c[1] = dvec4(1.0);
     EXPECT_EQ(optics64::shIrradiance(c, -up), dvec3(0.0)) << "never negative";
 }
@@ -86,8 +81,7 @@ TEST(SkyBelow, FallsOffWithDepthAndTilt)
     EXPECT_LT(glm::length(below - dvec3(9.34)), 1e-12);
     EXPECT_LT(glm::length(optics64::skyIrradianceAtDepth(below, k, 0.0, up) - below), 1e-12);
     EXPECT_LT(glm::length(optics64::skyIrradianceAtDepth(below, k, 3.0, -up)), 1e-12);
-    EXPECT_NEAR(optics64::skyIrradianceAtDepth(below, k, 2.0, dvec3(1, 0, 0)).x, 0.5 * 9.34 * std::exp(-1.2),
-                1e-12);
+    EXPECT_NEAR(optics64::skyIrradianceAtDepth(below, k, 2.0, dvec3(1, 0, 0)).x, 0.5 * 9.34 * std::exp(-1.2), 1e-12);
 }
 
 TEST(SunBelow, DirectionObeysSnell)
@@ -111,8 +105,7 @@ TEST(SunBelow, ConservesTheFluxThroughTheSurface)
         const double cosAir = std::cos(zenith * degree);
         const dvec3 below = optics64::sunIrradianceBelow(dvec3(100.0), cosAir, n);
         const double cosWater = std::sqrt(1.0 - std::pow(std::sin(zenith * degree) / n, 2.0));
-        EXPECT_NEAR(below.x * cosWater, 100.0 * cosAir * (1.0 - optics64::fresnelExact(cosAir, 1.0 / n)),
-                    1e-10);
+        EXPECT_NEAR(below.x * cosWater, 100.0 * cosAir * (1.0 - optics64::fresnelExact(cosAir, 1.0 / n)), 1e-10);
     }
     EXPECT_EQ(optics64::sunIrradianceBelow(dvec3(100.0), -0.1, n), dvec3(0.0));
     EXPECT_EQ(optics64::sunIrradianceBelow(dvec3(100.0), 0.0, 1.0), dvec3(0.0));
@@ -196,8 +189,7 @@ TEST(SunGlint, IsFiniteEverywhere)
         for (double eyeZenith : {0.0, 45.0, 89.0, 89.9, 90.0, 91.0, 135.0, 180.0})
             for (double sunZenith : {0.0, 45.0, 89.0, 89.9, 90.0, 91.0, 135.0, 180.0})
                 for (double azimuth : {0.0, 1.0, 180.0 * degree}) {
-                    const vec3 eye(fromAngles(eyeZenith * degree, 0.0)),
-                        sun(fromAngles(sunZenith * degree, azimuth));
+                    const vec3 eye(fromAngles(eyeZenith * degree, 0.0)), sun(fromAngles(sunZenith * degree, azimuth));
                     const float l = optics::sunGlint(vec3(100.0f), 1.0f, upF, eye, sun, variance).x;
                     ASSERT_TRUE(std::isfinite(l)) << variance << ' ' << eyeZenith << ' ' << sunZenith;
                     ASSERT_GE(l, 0.0f);
@@ -244,7 +236,9 @@ TEST(PhongGlint, IsFiniteAndNothingBehindTheSurface)
                 const float l = optics::phongGlint(vec3(100.0f), 1.0f, upF, eye, sun, exponent, 2.0f).x;
                 ASSERT_TRUE(std::isfinite(l));
                 ASSERT_GE(l, 0.0f);
-                if (sunZenith > 90.0) { ASSERT_EQ(l, 0.0f); }
+                if (sunZenith > 90.0) {
+                    ASSERT_EQ(l, 0.0f);
+                }
             }
 }
 

@@ -7,10 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 using glm::dvec3;
 
@@ -19,15 +17,9 @@ constexpr double degree = std::numbers::pi / 180.0;
 const dvec3 up(0.0, 1.0, 0.0);
 
 /// Going down at an angle of incidence from a surface whose normal is up.
-dvec3 falling(double angle)
-{
-    return {std::sin(angle), -std::cos(angle), 0.0};
-}
+dvec3 falling(double angle) { return {std::sin(angle), -std::cos(angle), 0.0}; }
 
-double angleBelow(const dvec3& direction)
-{
-    return std::atan2(std::hypot(direction.x, direction.z), -direction.y);
-}
+double angleBelow(const dvec3& direction) { return std::atan2(std::hypot(direction.x, direction.z), -direction.y); }
 
 TEST(Snell, BendsTowardsTheNormalOnTheWayIn)
 {
@@ -100,12 +92,11 @@ double fresnelByAngles(double incident, double eta)
 TEST(Fresnel, AgreesWithTheSineAndTangentForm)
 {
     for (double angle = 0.5; angle < 89.95; angle += 0.1)
-        EXPECT_NEAR(optics64::fresnelExact(std::cos(angle * degree), 1.0 / n),
-                    fresnelByAngles(angle * degree, 1.0 / n), 1e-12)
+        EXPECT_NEAR(optics64::fresnelExact(std::cos(angle * degree), 1.0 / n), fresnelByAngles(angle * degree, 1.0 / n),
+                    1e-12)
             << angle;
     for (double angle = 0.5; angle < 48.7; angle += 0.1)
-        EXPECT_NEAR(optics64::fresnelExact(std::cos(angle * degree), n), fresnelByAngles(angle * degree, n),
-                    1e-12)
+        EXPECT_NEAR(optics64::fresnelExact(std::cos(angle * degree), n), fresnelByAngles(angle * degree, n), 1e-12)
             << angle;
 }
 
@@ -123,8 +114,8 @@ TEST(Fresnel, AtNormalIncidenceAndAtBrewstersAngle)
 
 TEST(Fresnel, ApproachesOneAtGrazingIncidence)
 {
-    EXPECT_NEAR(optics64::fresnelExact(std::cos(89.9 * degree), 1.0 / n),
-                fresnelByAngles(89.9 * degree, 1.0 / n), 1e-10);
+    EXPECT_NEAR(optics64::fresnelExact(std::cos(89.9 * degree), 1.0 / n), fresnelByAngles(89.9 * degree, 1.0 / n),
+                1e-10);
     EXPECT_GT(optics64::fresnelExact(std::cos(89.9 * degree), 1.0 / n), 0.98);
     EXPECT_NEAR(optics64::fresnelExact(0.0, 1.0 / n), 1.0, 1e-15);
     // A cosine outside 0..1, as an interpolated normal gives it, counts as its nearest end.
@@ -214,8 +205,7 @@ TEST(RadianceThroughWater, GoesFromTheBedToTheDeep)
     EXPECT_LT(glm::length(optics64::radianceThroughWater(bed, deep, dvec3(0.0)) - deep), 1e-15);
     // Two stretches of water are one of their summed length.
     const dvec3 twice = optics64::radianceThroughWater(
-        optics64::radianceThroughWater(bed, deep, optics64::beerLambert(k, 1.0)), deep,
-        optics64::beerLambert(k, 2.0));
+        optics64::radianceThroughWater(bed, deep, optics64::beerLambert(k, 1.0)), deep, optics64::beerLambert(k, 2.0));
     const dvec3 once = optics64::radianceThroughWater(bed, deep, optics64::beerLambert(k, 3.0));
     EXPECT_LT(glm::length(twice - once), 1e-15);
 }
@@ -269,7 +259,8 @@ TEST(FlatWater, WhereThingsSeemToBeAndAreAreInverse)
         EXPECT_LT(glm::distance(optics64::flatTrue(eye, seen, level, n), point), 2e-5 * (1.0 + across + depth));
         // The light comes from the crossing, and as far as it has come.
         const double y = optics64::flatSidestep(height, depth, across, n);
-        EXPECT_NEAR(glm::distance(eye, seen), std::hypot(across - y, height) + std::hypot(y, depth), 1e-6 * (1.0 + across));
+        EXPECT_NEAR(glm::distance(eye, seen), std::hypot(across - y, height) + std::hypot(y, depth),
+                    1e-6 * (1.0 + across));
     });
     const dvec3 dry(1.0, 0.5, 4.0);
     EXPECT_EQ(optics64::flatApparent(eye, dry, 0.0, n), dry);

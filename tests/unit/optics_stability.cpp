@@ -11,10 +11,8 @@
 #include <numbers>
 #include <random>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 using glm::dvec3;
 
@@ -22,10 +20,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 const vec3 up(0.0f, 1.0f, 0.0f);
 
 /// The same input for both: double takes the float's rounded value.
-vec3 falling(double angle)
-{
-    return vec3(dvec3(std::sin(angle), -std::cos(angle), 0.0));
-}
+vec3 falling(double angle) { return vec3(dvec3(std::sin(angle), -std::cos(angle), 0.0)); }
 
 TEST(FloatAgainstDouble, RefractedDirection)
 {
@@ -68,9 +63,8 @@ TEST(FloatAgainstDouble, Fresnel)
             worst = std::max(worst, std::abs(optics::fresnelExact(cosine, eta) -
                                              optics64::fresnelExact(double(cosine), double(eta))));
         }
-        worstSchlick =
-            std::max(worstSchlick, std::abs(optics::fresnelSchlick(cosine, 1.33f, 5.0f) -
-                                            optics64::fresnelSchlick(double(cosine), double(1.33f), 5.0)));
+        worstSchlick = std::max(worstSchlick, std::abs(optics::fresnelSchlick(cosine, 1.33f, 5.0f) -
+                                                       optics64::fresnelSchlick(double(cosine), double(1.33f), 5.0)));
     }
     EXPECT_LT(worst, 4e-6); // steepest just below total reflection
     EXPECT_LT(worstSchlick, 1e-6);
@@ -111,8 +105,8 @@ TEST(FloatAgainstDouble, IntersectionSearch)
         for (int i = 0; i < 500; ++i) {
             const double zenith = 85.0 * degree * unit(random), azimuth = 6.3 * unit(random);
             // The camera looks straight ahead at U; the bed is the plane dot(p, down) = h, in its space.
-            const dvec3 down = dvec3(std::sin(zenith) * std::cos(azimuth),
-                                     std::sin(zenith) * std::sin(azimuth), -std::cos(zenith));
+            const dvec3 down =
+                dvec3(std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), -std::cos(zenith));
             const dvec3 u(0.0, 0.0, -scale);
             const dvec3 r = optics64::refractRay(dvec3(0, 0, -1), -down, 1.0 / 1.33);
             const double h = glm::dot(u, down) + scale * (0.01 + unit(random));
@@ -120,8 +114,7 @@ TEST(FloatAgainstDouble, IntersectionSearch)
             const dvec3 truth = u + r * ((h - glm::dot(u, down)) / glm::dot(r, down));
 
             const vec3 uF(u), rF(r);
-            auto state =
-                optics::intersectionBegin(uF, rF, optics::seenThrough(uF, static_cast<float>(bedZ(u))));
+            auto state = optics::intersectionBegin(uF, rF, optics::seenThrough(uF, static_cast<float>(bedZ(u))));
             for (int step = 1; step < 8; ++step) {
                 if (glm::dot(dvec3(state.W), down) <= 0.0) break; // over the bed's horizon
                 state = optics::intersectionStep(state, static_cast<float>(bedZ(dvec3(state.W))));
@@ -145,8 +138,7 @@ TEST(FloatAgainstDouble, SunGlint)
                 const vec3 sun(dvec3(-std::sin(zenith * degree + off), std::cos(zenith * degree + off), 0.0));
                 const double f = optics::sunGlint(vec3(1.0f), 1.0f, up, eye, sun, variance).x;
                 const double d =
-                    optics64::sunGlint(dvec3(1.0), 1.0, dvec3(up), dvec3(eye), dvec3(sun), double(variance))
-                        .x;
+                    optics64::sunGlint(dvec3(1.0), 1.0, dvec3(up), dvec3(eye), dvec3(sun), double(variance)).x;
                 worst = std::max(worst, std::abs(f - d));
                 peak = std::max(peak, d);
             }

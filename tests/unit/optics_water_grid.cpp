@@ -26,12 +26,12 @@ struct Place {
 };
 
 const Place places[] = {
-    {vec3(0.0f, 1.5f, 10.0f), vec3(0.0f, 0.0f, -20.0f)},       // on the shore
-    {vec3(3.0f, 0.02f, 2.0f), vec3(4.0f, 0.0f, -20.0f)},       // at the surface
-    {vec3(-5.0f, -2.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f)},        // under it
-    {vec3(10.0f, 1000.0f, 10.0f), vec3(11.0f, 0.0f, 10.0f)},   // high above
-    {vec3(900.0f, 20.0f, 900.0f), vec3(0.0f, 0.0f, 0.0f)},     // far outside
-    {vec3(0.0f, 5.0f, 0.0f), vec3(0.0f, 50.0f, -1.0f)},        // looking away from the water
+    {vec3(0.0f, 1.5f, 10.0f), vec3(0.0f, 0.0f, -20.0f)},     // on the shore
+    {vec3(3.0f, 0.02f, 2.0f), vec3(4.0f, 0.0f, -20.0f)},     // at the surface
+    {vec3(-5.0f, -2.0f, 0.0f), vec3(0.0f, 0.0f, 0.0f)},      // under it
+    {vec3(10.0f, 1000.0f, 10.0f), vec3(11.0f, 0.0f, 10.0f)}, // high above
+    {vec3(900.0f, 20.0f, 900.0f), vec3(0.0f, 0.0f, 0.0f)},   // far outside
+    {vec3(0.0f, 5.0f, 0.0f), vec3(0.0f, 50.0f, -1.0f)},      // looking away from the water
 };
 
 TEST(WaterGrid, LinesAreOrderedAndPinnedToTheRectangle)

@@ -10,10 +10,8 @@
 #include <random>
 #include <vector>
 
-namespace tarn
-{
-namespace
-{
+namespace tarn {
+namespace {
 
 using glm::dvec2;
 using glm::dvec3;
@@ -68,10 +66,10 @@ TEST(Waves, SlopeIsTheDerivativeOfTheHeight)
         const dvec2 x(0.37 * i - 20.0, 11.0 - 0.21 * i);
         const double t = 0.1 * i;
         const auto sample = optics64::waveAt(waves, x, t);
-        const double dx = (optics64::waveHeight(waves, x + dvec2(h, 0), t) -
-                           optics64::waveHeight(waves, x - dvec2(h, 0), t));
-        const double dz = (optics64::waveHeight(waves, x + dvec2(0, h), t) -
-                           optics64::waveHeight(waves, x - dvec2(0, h), t));
+        const double dx =
+            (optics64::waveHeight(waves, x + dvec2(h, 0), t) - optics64::waveHeight(waves, x - dvec2(h, 0), t));
+        const double dz =
+            (optics64::waveHeight(waves, x + dvec2(0, h), t) - optics64::waveHeight(waves, x - dvec2(0, h), t));
         EXPECT_NEAR(sample.slope.x, dx / (2 * h), 1e-9);
         EXPECT_NEAR(sample.slope.y, dz / (2 * h), 1e-9);
         const dvec3 normal = optics64::waveNormalAt(waves, x, t);
@@ -189,11 +187,10 @@ TEST(Waves, FloatIsOffByTheRoundingOfThePhase)
                 // Against the double sum of the same float terms: it is the evaluation that is judged here.
                 dvec3 exact(0.0);
                 for (const auto& w : inFloat) {
-                    const optics64::WaveTerm wide{dvec2(w.k),   w.omega, w.phase, w.amplitude,
-                                                  w.wavenumber, 0.0,     0.0};
+                    const optics64::WaveTerm wide{dvec2(w.k), w.omega, w.phase, w.amplitude, w.wavenumber, 0.0, 0.0};
                     exact += optics64::waveTerm(wide, dvec2(x), t);
-                    const double radians = std::ldexp(4.0, -24) * (wide.wavenumber * glm::length(dvec2(x)) +
-                                                                   wide.omega * t + 2.0 * pi64);
+                    const double radians =
+                        std::ldexp(4.0, -24) * (wide.wavenumber * glm::length(dvec2(x)) + wide.omega * t + 2.0 * pi64);
                     heightBound += radians * wide.amplitude;
                     slopeBound += radians * wide.amplitude * wide.wavenumber;
                 }
@@ -216,12 +213,10 @@ TEST(Waves, FoldedTimeKeepsItsPrecision)
     const auto waves = someWaves();
     for (double t : {0.0, 1.0e5, 1.0e7}) {
         std::vector<optics::WaveTerm> folded;
-        for (const auto& w : waves)
-            folded.push_back(optics64::waveTermAt(w, t));
+        for (const auto& w : waves) folded.push_back(optics64::waveTermAt(w, t));
         for (int i = 0; i < 100; ++i) {
             const dvec2 x(0.31 * i, -0.17 * i);
-            EXPECT_NEAR(optics::waveHeight(folded, vec2(x), 123.0f), optics64::waveHeight(waves, x, t), 1e-6)
-                << t;
+            EXPECT_NEAR(optics::waveHeight(folded, vec2(x), 123.0f), optics64::waveHeight(waves, x, t), 1e-6) << t;
         }
     }
 }

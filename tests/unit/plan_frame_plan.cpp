@@ -146,8 +146,7 @@ TEST(FramePlan, NothingOfTheWaterRunsWithoutIt)
     Options off;
     off.water.enabled = false;
     const Camera away = cameraAt({0, 4, 15}, {0, 60, 100});
-    for (const FramePlan& plan :
-         {planFor(none, camera), planFor(lake(), camera, off), planFor(lake(), away)}) {
+    for (const FramePlan& plan : {planFor(none, camera), planFor(lake(), camera, off), planFor(lake(), away)}) {
         EXPECT_FALSE(plan[PassId::water].wanted);
         EXPECT_FALSE(plan[PassId::refraction].wanted);
         EXPECT_FALSE(plan[PassId::reflection].wanted);

@@ -1,4 +1,5 @@
-// The governor and the refinement against machines of formulas: what a frame takes is known, noise and hitches included.
+// The governor and the refinement against machines of formulas: what a frame takes is known, noise and hitches
+// included.
 
 #include "plan/governor.h"
 #include "plan/refinement.h"
@@ -19,10 +20,10 @@ const std::vector<double> lakeCosts{1.0, 0.78, 0.6, 0.47, 0.38, 0.3, 0.24, 0.18,
 
 /// A machine, and a person who watches what the governor does on it.
 struct Machine {
-    std::vector<double> costs = lakeCosts;           ///< what rungs truly cost
+    std::vector<double> costs = lakeCosts;                                 ///< what rungs truly cost
     std::function<double(double now)> load = [](double) { return 100.0; }; ///< ms of a frame of cost 1
-    double noise = 0.0;                              ///< standard deviation, relative
-    double hitches = 0.0;                            ///< fraction of frames that take ten times as long
+    double noise = 0.0;                                                    ///< standard deviation, relative
+    double hitches = 0.0; ///< fraction of frames that take ten times as long
     std::function<bool(std::size_t)> isReady;
     std::mt19937 random{7};
 
@@ -113,7 +114,10 @@ TEST(Governor, DoesNotOscillateUnderNoise)
             machine.load = [=](double) { return load; };
             Governor governor(lakeCosts, 33.3);
             machine.run(governor, 600.0);
-            EXPECT_LE(machine.changes, noise <= 0.05 ? 3 : noise <= 0.1 ? 12 : 20) << "in ten minutes, noise " << noise << ", load " << load;
+            EXPECT_LE(machine.changes, noise <= 0.05  ? 3
+                                       : noise <= 0.1 ? 12
+                                                      : 20)
+                << "in ten minutes, noise " << noise << ", load " << load;
             EXPECT_LT(machine.slower(33.3 * 1.08 * (1.0 + 2.0 * noise), 3000), 0.05) << noise << " " << load;
         }
 }
@@ -329,7 +333,8 @@ TEST(Refinement, SamplesFillThePixelAndBeginInItsMiddle)
     for (int n = 1; n <= Refinement::samples; ++n) {
         const vec2 at = jitterOf(n);
         ASSERT_TRUE(glm::all(glm::lessThanEqual(glm::abs(at), vec2(0.5f)))) << n;
-        cells.insert({static_cast<int>(std::floor((at.x + 0.5f) * 4.0f)), static_cast<int>(std::floor((at.y + 0.5f) * 4.0f))});
+        cells.insert(
+            {static_cast<int>(std::floor((at.x + 0.5f) * 4.0f)), static_cast<int>(std::floor((at.y + 0.5f) * 4.0f))});
         mean += at / static_cast<float>(Refinement::samples);
     }
     EXPECT_GE(cells.size(), 11u) << "of sixteen";

@@ -36,14 +36,17 @@ TEST(Ladder, FaultsAreNamedWithTheirRung)
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs.clear(); }), "no rungs");
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[2].cost = 0.7; }), "rung 3: its cost 0.7 is not below 0.7");
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[2].flip = 0.11; }), "rung 3: its flip 0.11 is below 0.12");
-    EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[3].wrongHits = 0.01; }), "rung 4: its wrong_hits 0.01 are below 0.05");
+    EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[3].wrongHits = 0.01; }),
+                    "rung 4: its wrong_hits 0.01 are below 0.05");
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[1].cost = -1.0; }), "rung 2: cost -1 is no positive number");
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[1].cost = std::nan(""); }), "rung 2: cost");
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[1].flip = 1.5; }), "rung 2: flip 1.5 is not between 0 and 1");
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[1].milliseconds = 0.0; }), "rung 2: milliseconds");
-    EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[0].settings["frame.msaa"] = "1"; }), "rung 1: the first rung is the base");
+    EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[0].settings["frame.msaa"] = "1"; }),
+                    "rung 1: the first rung is the base");
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[1].settings["frame.msaa"] = "4"; }), "the base's value already");
-    EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[1].settings["water.grid_size"] = "17"; }), "water.grid_size has no value in [base]");
+    EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[1].settings["water.grid_size"] = "17"; }),
+                    "water.grid_size has no value in [base]");
     EXPECT_CONTAINS(fault([](Ladder& l) { l.rungs[1].settings["frame.msaa"] = "70"; }), "frame.msaa");
 }
 
@@ -117,7 +120,9 @@ TEST(Ladder, ProgramsAreToldFromSizes)
     EXPECT_FALSE(isSizeOnly("frame.msaa"));
 }
 
-std::string validFile() { return R"(scene = "A pond"
+std::string validFile()
+{
+    return R"(scene = "A pond"
 size = "320x240"
 machine = "a machine"
 
@@ -139,7 +144,8 @@ wrong_hits = 0.04
 [rungs.settings]
 frame.msaa = 1
 reflection.facets = "one"
-)"; }
+)";
+}
 
 TEST(LadderFile, ReadsWhatIsThere)
 {

@@ -115,7 +115,8 @@ TEST(PlanRules, ABedThatIsNotThereNeedsNoTarget)
     EXPECT_FALSE(plan[PassId::refraction].wanted);
     EXPECT_EQ(plan[PassId::water].dependsOn, "scene, reflection");
     EXPECT_TRUE(planFor(scene, overTheLake, {}, nullptr)[PassId::refraction].wanted) << "nothing is known";
-    EXPECT_TRUE(planFor(scene, overTheLake, without(RuleId::noBed), &sight)[PassId::refraction].wanted) << "no bed is not a deep one";
+    EXPECT_TRUE(planFor(scene, overTheLake, without(RuleId::noBed), &sight)[PassId::refraction].wanted)
+        << "no bed is not a deep one";
     EXPECT_TRUE(plan[PassId::caustics].wanted) << "the shore's foot may be under water";
     sight.mainReceives = sight.reflectionReceives = false;
     plan = planFor(scene, overTheLake, {}, &sight);

@@ -85,7 +85,8 @@ TEST(Stereo, EyesThatAreNotApartAreTheCamera)
     for (const Eye eye : bothEyes) {
         const Camera camera = eyeCamera(head, stereo, eye);
         EXPECT_EQ(camera.eye, head.eye);
-        EXPECT_EQ(clipFromView(camera, aspect) * viewFromWorld(camera), clipFromView(head, aspect) * viewFromWorld(head));
+        EXPECT_EQ(clipFromView(camera, aspect) * viewFromWorld(camera),
+                  clipFromView(head, aspect) * viewFromWorld(head));
     }
 }
 

@@ -35,7 +35,8 @@ Camera onTheHill()
 
 /// How many looks of random facets, as steep as `slope` and no steeper, lie beside the bounds; U at any height that one
 /// step of Newton's method may leave it at.
-int looksBeside(const TargetBounds& bounds, const WaterBody& water, const Camera& camera, const Options& options, float slope)
+int looksBeside(const TargetBounds& bounds, const WaterBody& water, const Camera& camera, const Options& options,
+                float slope)
 {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -79,8 +80,8 @@ TEST(WaterBounds, NoLookLiesBesideThem)
             options.water.filterWaves = filters;
             const TargetBounds bounds = mirrorBounds(water, camera, options, size);
             ASSERT_LT(bounds.share(), 0.6f);
-            const float slope =
-                largestSlope(water, options, leastFootprint(water, camera, visibleCorners(water, camera, aspect), size));
+            const float slope = largestSlope(
+                water, options, leastFootprint(water, camera, visibleCorners(water, camera, aspect), size));
             EXPECT_GT(slope, 0.01f);
             EXPECT_EQ(looksBeside(bounds, water, camera, options, slope), 0);
             EXPECT_GT(looksBeside(bounds, water, camera, options, 4.0f * slope), 0) << "or the bounds would say little";

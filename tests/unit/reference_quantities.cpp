@@ -35,7 +35,8 @@ Picture quantitiesOf(const Scene& scene, const Camera& camera, ivec2 size = {64,
 
 void addWaves(Scene& scene)
 {
-    scene.water.waves = {{0.06f, 2.3f, 0.3f, 0.4f, 0.0f}, {0.03f, 0.9f, 1.7f, 1.1f, 0.0f}, {0.01f, 0.3f, -0.6f, 2.0f, 0.0f}};
+    scene.water.waves = {
+        {0.06f, 2.3f, 0.3f, 0.4f, 0.0f}, {0.03f, 0.9f, 1.7f, 1.1f, 0.0f}, {0.01f, 0.3f, -0.6f, 2.0f, 0.0f}};
 }
 
 std::vector<optics64::WaveTerm> termsOf(const Scene& scene)

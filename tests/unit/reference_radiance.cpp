@@ -118,7 +118,8 @@ TEST(ReferenceRadiance, SunOnTheBedWithAndWithoutBounces)
         EXPECT_NEAR(seen(scene, eye, vec3(0.0f), once, 3.0f).y / direct, 1.0f, 0.01f) << elevation;
         // 0.472 of the diffuse light from the bed comes back (Fresnel, n = 1.33, mean over the cosine).
         ReferenceOptions often{.samples = 1024, .bounces = 12, .photons = 1'000'000};
-        EXPECT_NEAR(seen(scene, eye, vec3(0.0f), often, 3.0f).y / direct, 1.0f / (1.0f - 0.472f * albedo), 0.02f) << elevation;
+        EXPECT_NEAR(seen(scene, eye, vec3(0.0f), often, 3.0f).y / direct, 1.0f / (1.0f - 0.472f * albedo), 0.02f)
+            << elevation;
     }
 }
 
@@ -181,7 +182,8 @@ TEST(ReferenceRadiance, CausticsOfASineAgainstCountedRays)
         const double slope = amplitude * k * std::cos(k * x);
         const double tilt = std::atan(slope); // of the surface; the sun is overhead
         const double bent = std::asin(std::sin(tilt) / 1.33);
-        const double s = std::sin(tilt - bent) / std::sin(tilt + bent + 1e-300), p = std::tan(tilt - bent) / std::tan(tilt + bent + 1e-300);
+        const double s = std::sin(tilt - bent) / std::sin(tilt + bent + 1e-300),
+                     p = std::tan(tilt - bent) / std::tan(tilt + bent + 1e-300);
         const double T = std::abs(tilt) < 1e-9 ? 1.0 - std::pow(0.33 / 2.33, 2.0) : 1.0 - 0.5 * (s * s + p * p);
         double landed = x + (depth + amplitude * std::sin(k * x)) * std::tan(tilt - bent);
         landed -= length * std::floor(landed / length);
@@ -211,7 +213,8 @@ TEST(ReferenceRadiance, CausticsOfASineAgainstCountedRays)
 double rmse(const Picture& a, const Picture& b)
 {
     double sum = 0.0;
-    for (std::size_t i = 0; i < a.pixels(); ++i) sum += std::pow(static_cast<double>(a.radiance[i].y) - static_cast<double>(b.radiance[i].y), 2.0);
+    for (std::size_t i = 0; i < a.pixels(); ++i)
+        sum += std::pow(static_cast<double>(a.radiance[i].y) - static_cast<double>(b.radiance[i].y), 2.0);
     return std::sqrt(sum / static_cast<double>(a.pixels()));
 }
 

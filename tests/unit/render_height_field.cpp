@@ -67,8 +67,7 @@ TEST(HeightField, APatchIsMetWhereBruteForceMeetsIt)
         constexpr int steps = 400;
         if (t < 0.0) {
             ++missed;
-            for (int j = 0; j <= steps; ++j)
-                ASSERT_GT(ray.over(ray.within * j / steps), -1.0e-9) << i;
+            for (int j = 0; j <= steps; ++j) ASSERT_GT(ray.over(ray.within * j / steps), -1.0e-9) << i;
             continue;
         }
         ++met;
@@ -174,7 +173,8 @@ TEST(HeightField, ARayMeetsASlopeWhereTheFormulaSays)
     std::uniform_real_distribution<double> place(-3.0, 3.0);
     int met = 0;
     for (int i = 0; i < 2000; ++i) {
-        const dvec3 from(place(random), 0.0, place(random)), ray = unit(place(random), -1.0 - std::abs(place(random)), place(random));
+        const dvec3 from(place(random), 0.0, place(random)),
+            ray = unit(place(random), -1.0 - std::abs(place(random)), place(random));
         const double exact = (-1.0 + 0.2 * from.x - 0.1 * from.z - from.y) / (ray.y - 0.2 * ray.x + 0.1 * ray.z);
         const dvec3 hit = from + exact * ray;
         if (exact < 0.0 || std::max(std::abs(hit.x), std::abs(hit.z)) > 3.8) continue;

@@ -47,10 +47,8 @@ TEST(UpdateInterval, TargetsOfOneIntervalTakeTurns)
     for (const int interval : {3, 4}) {
         std::array<int, 20> count{};
         for (const std::uint64_t phase : {0u, 1u, 2u})
-            for (const int frame : drawnFrames(phase, interval, 20))
-                ++count[static_cast<std::size_t>(frame)];
-        for (std::size_t i = 1; i < count.size(); ++i)
-            EXPECT_LE(count[i], 1) << i; // the first draws all
+            for (const int frame : drawnFrames(phase, interval, 20)) ++count[static_cast<std::size_t>(frame)];
+        for (std::size_t i = 1; i < count.size(); ++i) EXPECT_LE(count[i], 1) << i; // the first draws all
     }
 }
 

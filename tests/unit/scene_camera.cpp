@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
 void expectNear(const vec3& a, const vec3& b, float tolerance)
 {
@@ -138,8 +136,7 @@ TEST(SceneTree, RotatesAboutXThenYThenZ)
     element.rotation = {pi / 2.0f, pi / 2.0f, 0.0f};
     scene.elements.push_back(element);
     // About x: +y to +z; then about y: +z to +x.
-    expectNear(vec3(flatten(scene)[0].worldFromModel * vec4(0.0f, 1.0f, 0.0f, 0.0f)), {1.0f, 0.0f, 0.0f},
-               1e-6f);
+    expectNear(vec3(flatten(scene)[0].worldFromModel * vec4(0.0f, 1.0f, 0.0f, 0.0f)), {1.0f, 0.0f, 0.0f}, 1e-6f);
 }
 
 TEST(SceneTree, HiddenElementsHideTheirChildren)

@@ -9,24 +9,16 @@
 #include <sanitizer/lsan_interface.h>
 #endif
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
 /// OpenImageIO 2.4 leaves libpng's error handler by longjmp over a std::string: 31 bytes for each PNG that is
 /// cut short. They are not ours to free, and a suppression by name finds no frame to match in libraries built
 /// for release.
 struct LeaksOfOthers {
 #ifdef __SANITIZE_ADDRESS__
-    LeaksOfOthers()
-    {
-        __lsan_disable();
-    }
-    ~LeaksOfOthers()
-    {
-        __lsan_enable();
-    }
+    LeaksOfOthers() { __lsan_disable(); }
+    ~LeaksOfOthers() { __lsan_enable(); }
 #else
     LeaksOfOthers() {}
 #endif
@@ -38,8 +30,7 @@ Image bytesImage(int width, int height, int channels)
     image.width = width;
     image.height = height;
     image.channels = channels;
-    for (std::size_t i = 0; i < image.size(); ++i)
-        image.bytes.push_back(static_cast<std::uint8_t>(i * 37 % 256));
+    for (std::size_t i = 0; i < image.size(); ++i) image.bytes.push_back(static_cast<std::uint8_t>(i * 37 % 256));
     return image;
 }
 
@@ -106,9 +97,7 @@ TEST(Image, SinglePixelIsAPicture)
 TEST(Image, BadFilesAreOneLine)
 {
     const TempFolder folder;
-    const auto problem = [](const std::filesystem::path& file) {
-        return messageOf<Error>([&] { readImage(file); });
-    };
+    const auto problem = [](const std::filesystem::path& file) { return messageOf<Error>([&] { readImage(file); }); };
     EXPECT_CONTAINS(problem(folder.path() / "none.png"), "none.png: no such picture");
     EXPECT_CONTAINS(problem(folder.path()), "is a directory");
     EXPECT_CONTAINS(problem(folder.file("empty.png", "")), "empty.png: ");
@@ -116,8 +105,7 @@ TEST(Image, BadFilesAreOneLine)
     EXPECT_CONTAINS(problem(folder.file("junk.xyz", "junk")), "junk.xyz: ");
 
     // The header of a PNG of 0x0 pixels, with its right checksum.
-    const std::string zero("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\0\0\0\0\0\x08\x02\0\0\0\xb4\xe9\xeb\x45",
-                           33);
+    const std::string zero("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\0\0\0\0\0\x08\x02\0\0\0\xb4\xe9\xeb\x45", 33);
     EXPECT_CONTAINS(problem(folder.file("zero.png", zero)), "zero.png: ");
 
     writeImage(folder.path() / "whole.png", bytesImage(64, 64, 3));
@@ -130,11 +118,9 @@ TEST(Image, WritingIsWholeOrNothing)
 {
     const TempFolder folder;
     EXPECT_CONTAINS(messageOf<Error>([&] { writeImage(folder.path() / "x.png", Image()); }), "empty");
-    EXPECT_CONTAINS(messageOf<Error>([&] { writeImage(folder.path() / "x.abc", bytesImage(1, 1, 3)); }),
-                    "x.abc");
-    EXPECT_CONTAINS(
-        messageOf<Error>([&] { writeImage(folder.path() / "no" / "x.png", bytesImage(1, 1, 3)); }),
-        "no folder");
+    EXPECT_CONTAINS(messageOf<Error>([&] { writeImage(folder.path() / "x.abc", bytesImage(1, 1, 3)); }), "x.abc");
+    EXPECT_CONTAINS(messageOf<Error>([&] { writeImage(folder.path() / "no" / "x.png", bytesImage(1, 1, 3)); }),
+                    "no folder");
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

@@ -23,8 +23,10 @@ HeightMapPicture anyMap(MapKind kind, int edge = 16)
     map.light = MapLight{{0.6f, 0.7f, 0.1f}, {3.0f, 2.0f, 1.1f}, {0.3f, 0.4f, 0.5f}, 0.25f, 1.33f, {0.5f, 0.2f, 0.1f}};
     for (int i = 0; i < edge * edge; ++i) {
         const float x = static_cast<float>(i);
-        if (kind == MapKind::bed) map.heights.push_back(-0.01f * x);
-        else for (const float y : {1.0f + 0.01f * x, 2.0f + 0.03f * x, 1.0f + 0.01f * x}) map.heights.push_back(y);
+        if (kind == MapKind::bed)
+            map.heights.push_back(-0.01f * x);
+        else
+            for (const float y : {1.0f + 0.01f * x, 2.0f + 0.03f * x, 1.0f + 0.01f * x}) map.heights.push_back(y);
         for (std::size_t c = 0; c < 6; ++c) map.colours[c / 3].push_back(0.1f * x + static_cast<float>(c));
     }
     return map;
@@ -197,12 +199,14 @@ TEST_F(SceneMapsTest, MistakesNameFileAndLine)
     expectProblem("[maps.bed]\n", 6, "maps.bed.file is missing");
     expectProblem("[maps.bde]\n", 6, "there is no key 'bde' in maps; did you mean 'bed'?");
     expectProblem("[maps.bed]\nflie = 'map.exr'\n", 7, "there is no key 'flie' in maps.bed; did you mean 'file'?");
-    expectProblem("[maps.bed]\nfile = 'map.exr'\ncentre = [0, 0]\n", 6, "maps.bed.extent is missing; a centre needs one");
+    expectProblem("[maps.bed]\nfile = 'map.exr'\ncentre = [0, 0]\n", 6,
+                  "maps.bed.extent is missing; a centre needs one");
     expectProblem("[maps.bed]\nfile = 'map.exr'\nextent = 0\n", 8, "maps.bed.extent must be more than 0");
     write(16, 16, bedChannels);
     expectProblem("[maps.bed]\nfile = 'map.exr'\n", 6,
                   "maps.bed.extent is missing; " + file.string() + " does not say how many metres it covers");
-    expectProblem("[maps.bed]\nfile = 'map.exr'\ncentre = [15, 0]\nextent = 10\n", 7, "maps.bed.file covers none of the water");
+    expectProblem("[maps.bed]\nfile = 'map.exr'\ncentre = [15, 0]\nextent = 10\n", 7,
+                  "maps.bed.file covers none of the water");
 }
 
 } // namespace

@@ -8,13 +8,10 @@
 
 #include <cmath>
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
-class MtlTest : public ::testing::Test
-{
+class MtlTest : public ::testing::Test {
 protected:
     TempFolder folder;
     log::Capture log;
@@ -22,8 +19,7 @@ protected:
     Scene load(const std::string& mtl)
     {
         folder.file("test.mtl", mtl);
-        return loadScene(
-            folder.file("test.obj", "mtllib test.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl m\nf 1 2 3\n"));
+        return loadScene(folder.file("test.obj", "mtllib test.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl m\nf 1 2 3\n"));
     }
     Material material(const std::string& mtl) { return load(mtl).materials.at(0); }
 
@@ -41,8 +37,8 @@ protected:
 
 TEST_F(MtlTest, Constants)
 {
-    const Material m =
-        material("newmtl m\nKa 1 1 1\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\nNs 99\nKe 7 8 9\nTf 0.6 0.5 0.4\nd 0.75\nillum 2\n");
+    const Material m = material(
+        "newmtl m\nKa 1 1 1\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\nNs 99\nKe 7 8 9\nTf 0.6 0.5 0.4\nd 0.75\nillum 2\n");
     EXPECT_EQ(m.diffuse, vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(m.specular, vec3(0.4f, 0.5f, 0.6f));
     EXPECT_EQ(m.transmission, vec3(0.6f, 0.5f, 0.4f));
@@ -85,9 +81,8 @@ TEST_F(MtlTest, JunkIsNotAMaterialFile)
 TEST_F(MtlTest, MapsWithOptionsAndSpaces)
 {
     picture("old wall.png", 3, {10, 20, 30});
-    for (const char* line :
-         {"map_Kd old wall.png", "map_Kd -s 2 2 2 old wall.png", "map_Kd -s 2 2 -o 0.5 old wall.png",
-          "map_Kd -clamp on -blendu off -mm 0 1 old wall.png", "map_Kd .\\old wall.png  "}) {
+    for (const char* line : {"map_Kd old wall.png", "map_Kd -s 2 2 2 old wall.png", "map_Kd -s 2 2 -o 0.5 old wall.png",
+                             "map_Kd -clamp on -blendu off -mm 0 1 old wall.png", "map_Kd .\\old wall.png  "}) {
         SCOPED_TRACE(line);
         const Scene scene = load(std::string("newmtl m\n") + line + "\n");
         ASSERT_EQ(scene.images.size(), 1u);
@@ -123,8 +118,7 @@ TEST_F(MtlTest, AlphaOfTheDiffuseMap)
     EXPECT_TRUE(leaf.alphaTested);
     EXPECT_TRUE(leaf.twoSided);
     picture("solid.png", 4, {1, 2, 3, 255});
-    EXPECT_FALSE(material("newmtl m\nmap_Kd solid.png\n").alphaTested)
-        << "an alpha channel that hides nothing";
+    EXPECT_FALSE(material("newmtl m\nmap_Kd solid.png\n").alphaTested) << "an alpha channel that hides nothing";
 }
 
 TEST_F(MtlTest, AlphaMapBecomesOneChannel)
@@ -136,8 +130,7 @@ TEST_F(MtlTest, AlphaMapBecomesOneChannel)
     EXPECT_EQ(fromAlpha.images[1].channels, 1);
     EXPECT_EQ(fromAlpha.images[1].bytes[0], 77);
     EXPECT_TRUE(fromAlpha.materials[0].alphaTested);
-    EXPECT_EQ(load("newmtl m\nmap_d grey.png\n").images[0].bytes[0], 20)
-        << "brightness where there is no alpha";
+    EXPECT_EQ(load("newmtl m\nmap_d grey.png\n").images[0].bytes[0], 20) << "brightness where there is no alpha";
 }
 
 TEST_F(MtlTest, BumpBecomesNormals)
@@ -145,8 +138,7 @@ TEST_F(MtlTest, BumpBecomesNormals)
     // A ramp along +u: normals lean to -u. In v: rows run down, v up.
     std::vector<std::uint8_t> ramp;
     for (int y = 0; y < 16; ++y)
-        for (int x = 0; x < 16; ++x)
-            ramp.push_back(static_cast<std::uint8_t>(16 * x));
+        for (int x = 0; x < 16; ++x) ramp.push_back(static_cast<std::uint8_t>(16 * x));
     picture("ramp.png", 1, ramp, 16);
     const Scene scene = load("newmtl m\nmap_Bump -bm 5 ramp.png\n");
     ASSERT_EQ(scene.materials[0].normalMap, 0);
@@ -161,8 +153,7 @@ TEST_F(MtlTest, BumpBecomesNormals)
     EXPECT_NEAR(normals.bytes[middle + 2], 127.5f * (1.0f + 1.0f / std::sqrt(1.0f + slope * slope)), 1.0f);
 
     std::vector<std::uint8_t> upward;
-    for (int y = 0; y < 16; ++y)
-        upward.insert(upward.end(), 16, static_cast<std::uint8_t>(240 - 16 * y));
+    for (int y = 0; y < 16; ++y) upward.insert(upward.end(), 16, static_cast<std::uint8_t>(240 - 16 * y));
     picture("up.png", 1, upward, 16);
     const Scene rising = load("newmtl m\nbump -bm 5 up.png\n");
     EXPECT_LT(rising.images[0].bytes[middle + 1], 127 - 5) << "a slope that rises with v leans to -v";

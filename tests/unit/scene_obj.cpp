@@ -9,15 +9,12 @@
 #include <cmath>
 #include <set>
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
 const char* const quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-class ObjTest : public ::testing::Test
-{
+class ObjTest : public ::testing::Test {
 protected:
     TempFolder folder;
     log::Capture log;
@@ -48,9 +45,9 @@ vec3 normalAt(const Mesh& mesh, const vec3& position)
 
 std::size_t verticesAt(const Mesh& mesh, const vec3& position)
 {
-    return static_cast<std::size_t>(
-        std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
-                      [&](const Vertex& v) { return glm::distance(v.position, position) < 1e-6f; }));
+    return static_cast<std::size_t>(std::count_if(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vertex& v) {
+        return glm::distance(v.position, position) < 1e-6f;
+    }));
 }
 
 TEST_F(ObjTest, QuadBecomesTwoTriangles)
@@ -59,8 +56,7 @@ TEST_F(ObjTest, QuadBecomesTwoTriangles)
     EXPECT_EQ(m.indices.size(), 6u);
     EXPECT_EQ(m.vertices.size(), 4u);
     EXPECT_FLOAT_EQ(area(m), 1.0f);
-    for (const Vertex& v : m.vertices)
-        EXPECT_EQ(v.normal, vec3(0.0f, 0.0f, 1.0f));
+    for (const Vertex& v : m.vertices) EXPECT_EQ(v.normal, vec3(0.0f, 0.0f, 1.0f));
     EXPECT_EQ(m.bounds.upper, vec3(1.0f, 1.0f, 0.0f));
     expectNoWarnings();
 }
@@ -106,11 +102,9 @@ TEST_F(ObjTest, PolygonsOfManyCornersAreWhole)
 TEST_F(ObjTest, WindingIsKept)
 {
     const Mesh m = mesh(std::string(quad) + "f 4 3 2 1\n");
-    for (const Vertex& v : m.vertices)
-        EXPECT_EQ(v.normal, vec3(0.0f, 0.0f, -1.0f));
+    for (const Vertex& v : m.vertices) EXPECT_EQ(v.normal, vec3(0.0f, 0.0f, -1.0f));
     const vec3& a = m.vertices[m.indices[0]].position;
-    EXPECT_LT(glm::cross(m.vertices[m.indices[1]].position - a, m.vertices[m.indices[2]].position - a).z,
-              0.0f);
+    EXPECT_LT(glm::cross(m.vertices[m.indices[1]].position - a, m.vertices[m.indices[2]].position - a).z, 0.0f);
 }
 
 // A roof: two quads that meet at right angles along the ridge.
@@ -143,8 +137,7 @@ TEST_F(ObjTest, NormalsInTheFileWin)
 TEST_F(ObjTest, NormalsWithoutDirectionAreComputed)
 {
     const Mesh m = mesh(std::string(quad) + "vn 0 0 0\nf 1//1 2//1 3//1 4//1\n");
-    for (const Vertex& v : m.vertices)
-        EXPECT_EQ(v.normal, vec3(0.0f, 0.0f, 1.0f));
+    for (const Vertex& v : m.vertices) EXPECT_EQ(v.normal, vec3(0.0f, 0.0f, 1.0f));
 }
 
 TEST_F(ObjTest, TangentsFollowU)
@@ -181,8 +174,7 @@ TEST_F(ObjTest, VertexColoursAreKept)
 TEST_F(ObjTest, RepeatedRecordsAreMerged)
 {
     std::string text;
-    for (int face = 0; face < 4; ++face)
-        text += "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf -3//-1 -2//-1 -1//-1\n";
+    for (int face = 0; face < 4; ++face) text += "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf -3//-1 -2//-1 -1//-1\n";
     EXPECT_EQ(mesh(text).vertices.size(), 3u);
 }
 
@@ -213,9 +205,9 @@ TEST_F(ObjTest, LineEndingsByteOrderMarkAndContinuations)
 TEST_F(ObjTest, SpacesInNames)
 {
     folder.file("two words.mtl", "newmtl old wood  \nKd 0.25 0.5 1\nnewmtl old stone\nKd 1 0 0\n");
-    const Scene scene = loadScene(
-        folder.file("a lake.obj", "mtllib two words.mtl\no my house\ng front door\n" + std::string(quad) +
-                                      "usemtl old wood\nf 1 2 3\nusemtl old stone\nf 1 3 4\n"));
+    const Scene scene =
+        loadScene(folder.file("a lake.obj", "mtllib two words.mtl\no my house\ng front door\n" + std::string(quad) +
+                                                "usemtl old wood\nf 1 2 3\nusemtl old stone\nf 1 3 4\n"));
     ASSERT_EQ(scene.materials.size(), 2u);
     EXPECT_EQ(scene.materials[0].name, "old wood");
     EXPECT_EQ(scene.materials[0].diffuse, vec3(0.25f, 0.5f, 1.0f));
@@ -229,8 +221,7 @@ TEST_F(ObjTest, SeveralLibrariesInALine)
 {
     folder.file("a.mtl", "newmtl a\nKd 1 0 0\n");
     folder.file("b.mtl", "newmtl b\nKd 0 1 0\n");
-    const Scene scene =
-        load("mtllib a.mtl b.mtl\n" + std::string(quad) + "usemtl b\nf 1 2 3\nusemtl a\nf 1 3 4\n");
+    const Scene scene = load("mtllib a.mtl b.mtl\n" + std::string(quad) + "usemtl b\nf 1 2 3\nusemtl a\nf 1 3 4\n");
     EXPECT_EQ(scene.materials.size(), 2u);
     expectNoWarnings();
 }
@@ -242,8 +233,7 @@ std::string gridText(int n)
     char line[96];
     for (int z = 0; z <= n; ++z)
         for (int x = 0; x <= n; ++x) {
-            std::snprintf(line, sizeof line, "v %d %.4f %d\n", x, 0.1 * std::sin(x * 0.1) * std::cos(z * 0.1),
-                          z);
+            std::snprintf(line, sizeof line, "v %d %.4f %d\n", x, 0.1 * std::sin(x * 0.1) * std::cos(z * 0.1), z);
             text += line;
         }
     text += "s 1\n";
@@ -276,8 +266,7 @@ TEST_F(ObjTest, ChunksAreCompactAndComplete)
             EXPECT_TRUE(seen.insert(part.material).second) << "a material's parts stand together";
         }
         Bounds bounds;
-        for (std::uint32_t k = part.firstIndex; k < next; ++k)
-            bounds.add(m.vertices[m.indices[k]].position);
+        for (std::uint32_t k = part.firstIndex; k < next; ++k) bounds.add(m.vertices[m.indices[k]].position);
         EXPECT_EQ(bounds.lower, part.bounds.lower);
         EXPECT_EQ(bounds.upper, part.bounds.upper);
         EXPECT_LE(part.bounds.extent().x, 101.0f) << "compact";
@@ -285,8 +274,7 @@ TEST_F(ObjTest, ChunksAreCompactAndComplete)
     }
     EXPECT_EQ(next, m.indices.size());
     EXPECT_GE(m.parts.size(), 20u);
-    for (const Vertex& v : m.vertices)
-        EXPECT_GT(v.normal.y, 0.99f);
+    for (const Vertex& v : m.vertices) EXPECT_GT(v.normal.y, 0.99f);
 }
 
 TEST_F(ObjTest, VertexOrderSuitsTheCache)
@@ -334,8 +322,7 @@ TEST_F(ObjTest, BareObjGetsCamerasSunAndWater)
             const vec4 clip = clipFromWorld * vec4(corner & 1 ? bounds.upper.x : bounds.lower.x,
                                                    corner & 2 ? bounds.upper.y : bounds.lower.y,
                                                    corner & 4 ? bounds.upper.z : bounds.lower.z, 1.0f);
-            for (int i = 0; i < 3; ++i)
-                EXPECT_LE(std::abs(clip[i]), clip.w) << camera.name;
+            for (int i = 0; i < 3; ++i) EXPECT_LE(std::abs(clip[i]), clip.w) << camera.name;
         }
     }
 }

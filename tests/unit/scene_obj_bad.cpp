@@ -8,15 +8,12 @@
 #include <cmath>
 #include <random>
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
 const std::string quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"; // lines 1 to 4
 
-class BadObjTest : public ::testing::Test
-{
+class BadObjTest : public ::testing::Test {
 protected:
     TempFolder folder;
     log::Capture log;
@@ -31,8 +28,7 @@ protected:
         const std::string place = "test.obj:" + std::to_string(line) + ": ";
         bool found = false;
         for (const auto& message : log.messages())
-            found |= message.text.find(place) != std::string::npos &&
-                     message.text.find(warning) != std::string::npos;
+            found |= message.text.find(place) != std::string::npos && message.text.find(warning) != std::string::npos;
         EXPECT_TRUE(found) << "no warning '" << place << "… " << warning << "'; the last was "
                            << (log.messages().empty() ? "none" : log.messages().back().text);
     }
@@ -66,8 +62,7 @@ TEST_F(BadObjTest, BinaryJunk)
     std::mt19937 random(1);
     for (int round = 0; round < 50; ++round) {
         std::string junk;
-        for (int i = 0; i < 2000; ++i)
-            junk += static_cast<char>(random() % 255 + 1);
+        for (int i = 0; i < 2000; ++i) junk += static_cast<char>(random() % 255 + 1);
         EXPECT_CONTAINS(problem(folder.file("junk.obj", junk)), "junk.obj: nothing to draw");
     }
 }
@@ -76,8 +71,7 @@ TEST_F(BadObjTest, IndexOutOfRange)
 {
     expectDrawn(quad + "f 1 2 3\nf 1 2 5\n", 1, 6, "vertex index 5 is out of range (there are 4)");
     expectDrawn(quad + "f 1 2 3\nf 1 2 99999999999999\n", 1, 6, "out of range");
-    expectDrawn(quad + "vt 0 0\nf 1 2 3\nf 1/1 2/2 3/1\n", 1, 7,
-                "texture coordinate index 2 is out of range");
+    expectDrawn(quad + "vt 0 0\nf 1 2 3\nf 1/1 2/2 3/1\n", 1, 7, "texture coordinate index 2 is out of range");
     expectDrawn(quad + "vn 0 0 1\nf 1 2 3\nf 1//1 2//1 3//2\n", 1, 7, "normal index 2 is out of range");
 }
 
@@ -116,8 +110,8 @@ TEST_F(BadObjTest, FacesWithTooFewCorners)
 
 TEST_F(BadObjTest, MangledIndices)
 {
-    for (const char* face : {"f 1/ 2 3", "f 1/1/ 2 3", "f 1// 2// 3//", "f a b c", "f 1.5 2 3",
-                             "f 1/1/1/1 2 3", "f / 2 3", "f 1 2 3,"}) {
+    for (const char* face :
+         {"f 1/ 2 3", "f 1/1/ 2 3", "f 1// 2// 3//", "f a b c", "f 1.5 2 3", "f 1/1/1/1 2 3", "f / 2 3", "f 1 2 3,"}) {
         SCOPED_TRACE(face);
         expectDrawn(quad + "vt 0 0\nvn 0 0 1\nf 1 2 3\n" + face + "\n", 1, 8, "face left out");
     }
@@ -133,8 +127,8 @@ TEST_F(BadObjTest, TruncatedLastLine)
 
 TEST_F(BadObjTest, EveryTruncationIsSafe)
 {
-    const std::string text = "mtllib x y.mtl\n" + quad + "vt 0.5 1e-3\nvn 0 0 1\ns 1\nusemtl a\n" +
-                             "f 1/1/1 2/1/1 3//1 -1/1\nf 3 4 1\n";
+    const std::string text =
+        "mtllib x y.mtl\n" + quad + "vt 0.5 1e-3\nvn 0 0 1\ns 1\nusemtl a\n" + "f 1/1/1 2/1/1 3//1 -1/1\nf 3 4 1\n";
     for (std::size_t length = 0; length <= text.size(); ++length) {
         const auto file = folder.file("cut.obj", text.substr(0, length));
         try {
@@ -147,8 +141,7 @@ TEST_F(BadObjTest, EveryTruncationIsSafe)
 
 TEST_F(BadObjTest, RandomEditsAreSafe)
 {
-    const std::string text =
-        quad + "vt 0 0\nvt 1 1\nvn 0 0 1\ns 1\nf 1/1/1 2/2/1 3/1/1\nf -1 -2 -3\nf 1//1 3 4\n";
+    const std::string text = quad + "vt 0 0\nvt 1 1\nvn 0 0 1\ns 1\nf 1/1/1 2/2/1 3/1/1\nf -1 -2 -3\nf 1//1 3 4\n";
     const std::string alphabet = "0123456789-+./ \t\nvfsntlu#\\e\r";
     std::mt19937 random(7);
     int drawn = 0;
@@ -166,8 +159,7 @@ TEST_F(BadObjTest, RandomEditsAreSafe)
         }
         try {
             const Mesh mesh = loadScene(folder.file("edit.obj", edited)).meshes.at(0);
-            for (const std::uint32_t index : mesh.indices)
-                ASSERT_LT(index, mesh.vertices.size());
+            for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());
             for (const Vertex& v : mesh.vertices)
                 ASSERT_TRUE(std::isfinite(v.position.x + v.position.y + v.position.z)) << edited;
             ++drawn;
@@ -180,8 +172,7 @@ TEST_F(BadObjTest, RandomEditsAreSafe)
 TEST_F(BadObjTest, ManyWarningsAreCounted)
 {
     std::string text = quad + "f 1 2 3\n";
-    for (int i = 0; i < 50; ++i)
-        text += "f 1 2 9\n";
+    for (int i = 0; i < 50; ++i) text += "f 1 2 9\n";
     loadScene(folder.file("test.obj", text));
     EXPECT_EQ(log.messages().size(), 11u);
     EXPECT_TRUE(log.contains("40 more warnings"));
@@ -195,8 +186,7 @@ TEST_F(BadObjTest, UnknownRecordsAreSkipped)
 TEST_F(BadObjTest, MissingLibraryAndMaterial)
 {
     expectDrawn("mtllib none.mtl\n" + quad + "usemtl red\nf 1 2 3\n", 1, 1, "none.mtl: no such file");
-    expectDrawn("mtllib none.mtl\n" + quad + "usemtl red\nf 1 2 3\n", 1, 6,
-                "there is no material 'red'; drawn grey");
+    expectDrawn("mtllib none.mtl\n" + quad + "usemtl red\nf 1 2 3\n", 1, 6, "there is no material 'red'; drawn grey");
     std::filesystem::create_directory(folder.path() / "dir.mtl");
     expectDrawn("mtllib dir.mtl\n" + quad + "f 1 2 3\n", 1, 1, "is a directory");
     const Scene scene = loadScene(folder.path() / "test.obj");

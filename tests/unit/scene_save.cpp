@@ -169,10 +169,7 @@ TEST_F(RoundTripTest, ABareObjCanBeSaved)
     EXPECT_TRUE(again.sun->automatic);
 }
 
-void expectNear(const vec3& a, const vec3& b)
-{
-    EXPECT_LE(glm::distance(a, b), 1e-6f * (1.0f + glm::length(a)));
-}
+void expectNear(const vec3& a, const vec3& b) { EXPECT_LE(glm::distance(a, b), 1e-6f * (1.0f + glm::length(a))); }
 
 void expectSame(const Element& a, const Element& b)
 {
@@ -183,8 +180,7 @@ void expectSame(const Element& a, const Element& b)
     expectNear(a.rotation, b.rotation);
     expectNear(a.scale, b.scale);
     ASSERT_EQ(a.children.size(), b.children.size());
-    for (std::size_t i = 0; i < a.children.size(); ++i)
-        expectSame(a.children[i], b.children[i]);
+    for (std::size_t i = 0; i < a.children.size(); ++i) expectSame(a.children[i], b.children[i]);
 }
 
 void expectSame(const Material& a, const Material& b)
@@ -248,8 +244,7 @@ void expectSame(const Camera& a, const Camera& b)
 template <typename T> void expectSameList(const std::vector<T>& a, const std::vector<T>& b)
 {
     ASSERT_EQ(a.size(), b.size());
-    for (std::size_t i = 0; i < a.size(); ++i)
-        expectSame(a[i], b[i]);
+    for (std::size_t i = 0; i < a.size(); ++i) expectSame(a[i], b[i]);
 }
 
 void expectSameLight(const Scene& a, const Scene& b)
@@ -296,8 +291,7 @@ void expectSame(const Scene& a, const Scene& b)
         const Mesh& n = b.meshes[static_cast<std::size_t>(right[i].mesh)];
         EXPECT_EQ(m.indices, n.indices);
         ASSERT_EQ(m.vertices.size(), n.vertices.size());
-        for (std::size_t k = 0; k < m.vertices.size(); ++k)
-            EXPECT_EQ(m.vertices[k].position, n.vertices[k].position);
+        for (std::size_t k = 0; k < m.vertices.size(); ++k) EXPECT_EQ(m.vertices[k].position, n.vertices[k].position);
     }
 }
 

@@ -6,15 +6,10 @@
 #include <cmath>
 #include <functional>
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
-float luminance(const vec3& rgb)
-{
-    return glm::dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f));
-}
+float luminance(const vec3& rgb) { return glm::dot(rgb, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 vec3 towards(float elevationDegrees, float azimuthDegrees)
 {
@@ -40,8 +35,7 @@ TEST(Sky, ConstantIsExact)
     for (const vec3& direction : {towards(90, 0), towards(-90, 0), towards(10, 77)}) {
         EXPECT_EQ(sky.radiance(direction), scene.sky.radiance);
         const vec3 irradiance = sky.irradiance(direction);
-        for (int c = 0; c < 3; ++c)
-            EXPECT_FLOAT_EQ(irradiance[c], pi * scene.sky.radiance[c]);
+        for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(irradiance[c], pi * scene.sky.radiance[c]);
     }
     EXPECT_EQ(sky.sunIrradiance(), vec3(0.0f));
 }
@@ -115,9 +109,7 @@ TEST(Sky, EverySunGivesFiniteLight)
 
 TEST(Sky, NightFalls)
 {
-    const auto up = [](float elevation) {
-        return luminance(daylight(elevation).irradiance({0.0f, 1.0f, 0.0f}));
-    };
+    const auto up = [](float elevation) { return luminance(daylight(elevation).irradiance({0.0f, 1.0f, 0.0f})); };
     EXPECT_GT(up(1.0f), up(-1.0f));
     EXPECT_GT(up(-1.0f), up(-6.0f));
     EXPECT_LT(up(-6.0f), 0.1f);
@@ -142,11 +134,9 @@ TEST(Sky, GroundReflectsWhatItReceives)
     scene.sun->direction = towards(50, 0);
     scene.sky.groundAlbedo = 0.5f;
     const SkyModel sky(scene);
-    const vec3 received =
-        sky.irradiance({0.0f, 1.0f, 0.0f}) + sky.sunIrradiance() * std::sin(glm::radians(50.0f));
+    const vec3 received = sky.irradiance({0.0f, 1.0f, 0.0f}) + sky.sunIrradiance() * std::sin(glm::radians(50.0f));
     const vec3 ground = sky.radiance({0.0f, -1.0f, 0.0f});
-    for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(ground[c], 0.5f / pi * received[c], 0.08f * ground[c]);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ground[c], 0.5f / pi * received[c], 0.08f * ground[c]);
 }
 
 TEST(Sky, CoefficientsMatchTheIntegral)
@@ -166,8 +156,7 @@ TEST(Sky, CoefficientsMatchTheIntegral)
         }
         sum *= 4.0f * pi / (2.0f * n * n);
         // Nine terms are within a few per cent of the truth for smooth skies (Ramamoorthi & Hanrahan 2001).
-        for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(sky.irradiance(normal)[c], sum[c], 0.06f * sum[c]);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(sky.irradiance(normal)[c], sum[c], 0.06f * sum[c]);
     }
 }
 
@@ -176,8 +165,7 @@ TEST(Sky, DiscHoldsTheSunsIrradiance)
     const SkyModel sky = daylight(45.0f);
     // Solid angle of a disc of 0.2665° radius, small-angle formula pi r².
     const float radius = glm::radians(0.2665f);
-    EXPECT_NEAR(sky.sunDiscRadiance().y * pi * radius * radius, sky.sunIrradiance().y,
-                1e-3f * sky.sunIrradiance().y);
+    EXPECT_NEAR(sky.sunDiscRadiance().y * pi * radius * radius, sky.sunIrradiance().y, 1e-3f * sky.sunIrradiance().y);
 }
 
 /// One colour per face or quarter, so that a wrong turn or mirror shows.
@@ -190,8 +178,7 @@ SkyModel pictureSky(int width, int height, const std::function<vec3(int, int)>& 
     image.channels = 3;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            for (int c = 0; c < 3; ++c)
-                image.floats.push_back(colour(x, y)[c]);
+            for (int c = 0; c < 3; ++c) image.floats.push_back(colour(x, y)[c]);
     scene.images.push_back(image);
     scene.sky.kind = Sky::Kind::picture;
     scene.sky.image = 0;
@@ -201,8 +188,7 @@ SkyModel pictureSky(int width, int height, const std::function<vec3(int, int)>& 
 
 void expectColour(const vec3& actual, const vec3& expected)
 {
-    for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(actual[c], expected[c], 0.02f);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(actual[c], expected[c], 0.02f);
 }
 
 TEST(SkyPicture, LatitudeLongitudeFacesMinusZ)
@@ -225,8 +211,7 @@ constexpr int face = 16;
 
 vec3 faceColour(int index)
 {
-    return {static_cast<float>(index & 1), static_cast<float>(index >> 1 & 1),
-            static_cast<float>(index >> 2 & 1)};
+    return {static_cast<float>(index & 1), static_cast<float>(index >> 1 & 1), static_cast<float>(index >> 2 & 1)};
 }
 
 void expectFaces(const SkyModel& sky)
@@ -272,14 +257,12 @@ TEST(SkyPicture, CrossesJoinWithoutSeams)
                     u = -u;
                     v = -v;
                 }
-                const vec3 points[6] = {{1, v, u},   {-1, v, -u}, {u, 1, v},
-                                        {u, -1, -v}, {u, v, -1},  {-u, v, 1}};
+                const vec3 points[6] = {{1, v, u}, {-1, v, -u}, {u, 1, v}, {u, -1, -v}, {u, v, -1}, {-u, v, 1}};
                 return truth(glm::normalize(points[f]));
             }
             return vec3(0.0f);
         };
-        const SkyModel sky =
-            isWide ? pictureSky(4 * face, 3 * face, paint) : pictureSky(3 * face, 4 * face, paint);
+        const SkyModel sky = isWide ? pictureSky(4 * face, 3 * face, paint) : pictureSky(3 * face, 4 * face, paint);
         for (float e = -80.0f; e <= 80.0f; e += 10.0f) {
             for (float a = 0.0f; a < 360.0f; a += 15.0f) {
                 const vec3 d = towards(e, a);
@@ -302,8 +285,7 @@ TEST(SkyPicture, BrokenPixelsDoNoHarm)
     const SkyModel sky =
         pictureSky(8, 4, [&](int x, int) { return vec3(x == 1 ? nan : 1.0f, x == 2 ? inf : 1.0f, -1.0f); });
     for (const vec3& c : sky.irradianceCoefficients())
-        for (int i = 0; i < 3; ++i)
-            EXPECT_TRUE(std::isfinite(c[i]));
+        for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(c[i]));
     EXPECT_EQ(sky.radiance({0.0f, 0.0f, -1.0f}).z, 0.0f);
 }
 

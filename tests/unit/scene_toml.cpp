@@ -86,8 +86,7 @@ TEST_F(TomlTest, OptionsAreFlattened)
         a.b = [1, 2.5, 3]
     )");
     std::map<std::string, std::string> options;
-    for (const auto& option : scene.options)
-        options[option.key] = option.value;
+    for (const auto& option : scene.options) options[option.key] = option.value;
     EXPECT_EQ(options, (std::map<std::string, std::string>{{"frame.exposure", "0.1"},
                                                            {"refraction.steps", "3"},
                                                            {"refraction.method", "planar"},
@@ -125,9 +124,7 @@ TEST_F(TomlTest, MaterialsAndOverrides)
         material = "gold"
     )");
     const auto materialOf = [&](int mesh) {
-        return scene
-            .materials[static_cast<std::size_t>(
-                scene.meshes[static_cast<std::size_t>(mesh)].parts[0].material)]
+        return scene.materials[static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(mesh)].parts[0].material)]
             .name;
     };
     ASSERT_EQ(scene.materials.size(), 2u);
@@ -144,8 +141,7 @@ TEST_F(TomlTest, ModelsShareTheirLibrary)
     folder.file("x.mtl", "newmtl a\nKd nan 0 0\nnewmtl b\n");
     folder.file("x.obj", "mtllib x.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     folder.file("y.obj", "mtllib ./x.mtl\nusemtl b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const Scene scene =
-        load("[[models]]\nname = 'x'\nfile = 'x.obj'\n[[models]]\nname = 'y'\nfile = 'y.obj'\n");
+    const Scene scene = load("[[models]]\nname = 'x'\nfile = 'x.obj'\n[[models]]\nname = 'y'\nfile = 'y.obj'\n");
     EXPECT_EQ(scene.materials.size(), 2u);
     EXPECT_EQ(scene.meshes[1].parts[0].material, 1);
     EXPECT_EQ(log.messages().size(), 1u) << "and warns once";
@@ -251,8 +247,7 @@ TEST_F(TomlTest, PlaneBoxAndSphere)
     EXPECT_NEAR(surfaceArea(box), 22.0f, 1e-4f);
     EXPECT_EQ(box.vertices.size(), 24u);
     EXPECT_EQ(box.bounds.upper, vec3(0.5f, 1.0f, 1.5f));
-    for (const Vertex& v : box.vertices)
-        EXPECT_GT(glm::dot(v.normal, v.position), 0.0f);
+    for (const Vertex& v : box.vertices) EXPECT_GT(glm::dot(v.normal, v.position), 0.0f);
 
     const Mesh& sphere = scene.meshes[2];
     EXPECT_NEAR(surfaceArea(sphere), 4.0f * pi, 0.05f);

@@ -4,15 +4,12 @@
 #include "scene/scene_file.h"
 #include "temp_folder.h"
 
-namespace tarn::test
-{
-namespace
-{
+namespace tarn::test {
+namespace {
 
 const std::string bed = "[[primitives]]\nname = 'bed'\nkind = 'plane'\n"; // lines 1 to 3
 
-class BadTomlTest : public ::testing::Test
-{
+class BadTomlTest : public ::testing::Test {
 protected:
     TempFolder folder;
     log::Capture log;
@@ -32,16 +29,14 @@ protected:
 
 TEST_F(BadTomlTest, NothingToOpenOrDraw)
 {
-    EXPECT_CONTAINS(messageOf<Error>([&] { loadScene(folder.path() / "none.toml"); }),
-                    "none.toml: no such file");
+    EXPECT_CONTAINS(messageOf<Error>([&] { loadScene(folder.path() / "none.toml"); }), "none.toml: no such file");
     EXPECT_CONTAINS(messageOf<Error>([&] { loadScene(folder.path()); }), "is a directory");
     EXPECT_CONTAINS(problem(""), "test.toml: the file is empty");
     EXPECT_CONTAINS(problem(" \n\r\n"), "test.toml: the file is empty");
     EXPECT_CONTAINS(problem("name = 'x'\n"), "test.toml: nothing to draw");
     EXPECT_CONTAINS(problem("[[models]]\nname = 'x'\nfile = 'none.obj'\n"), "none.obj: no such file");
-    EXPECT_CONTAINS(
-        problem("[[models]]\nname = 'x'\nfile = 'a.obj'\n[[models]]\nname = 'y'\nfile = 'b.obj'\n"),
-        "a.obj: no such file");
+    EXPECT_CONTAINS(problem("[[models]]\nname = 'x'\nfile = 'a.obj'\n[[models]]\nname = 'y'\nfile = 'b.obj'\n"),
+                    "a.obj: no such file");
     EXPECT_CONTAINS(problem(bed + "[[elements]]\nname = 'a group of nothing'\n"), "nothing to draw");
     EXPECT_CONTAINS(problem(bed + "[[elements]]\nshape = 'bed'\nvisible = false\n"), "nothing to draw");
 }
@@ -70,7 +65,8 @@ TEST_F(BadTomlTest, NormalMapsOfWaterThatCannotBeUsedAreWarnings)
     Image image;
     image.width = image.height = 2;
     image.channels = 3;
-    image.bytes = {128, 255, 128, 128, 255, 128, 128, 255, 128, 128, 120, 255}; // the last one as tangent-space maps are
+    image.bytes = {128, 255, 128, 128, 255, 128,
+                   128, 255, 128, 128, 120, 255}; // the last one as tangent-space maps are
     writeImage(folder.path() / "blue.png", image);
     image.channels = 1;
     image.bytes.resize(4);
@@ -108,17 +104,14 @@ TEST_F(BadTomlTest, WrongTypes)
     expectProblem("[water]\ncentre = 3\n", 5, "water.centre must be 2 numbers in brackets, not an integer");
     expectProblem("[water]\nabsorption = [1, 2]\n", 5,
                   "water.absorption must be 3 numbers in brackets or one number, not 2");
-    expectProblem("[water]\nabsorption = [1, 2, 'x']\n", 5,
-                  "water.absorption must be a number, not a string");
+    expectProblem("[water]\nabsorption = [1, 2, 'x']\n", 5, "water.absorption must be a number, not a string");
     expectProblem("[water]\nwaves = 3\n", 5, "water.waves must be tables [[waves]], not an integer");
     expectProblem("[[elements]]\nvisible = 1\n", 5, "elements.visible must be true or false, not an integer");
     expectProblem("segments = 2.5\n", 4, "primitives.segments must be a whole number");
     expectProblem("[[models]]\nname = 3\nfile = 'x.obj'\n", 5, "models.name must be a string in quotes");
     expectProblem("[sun]\nirradiance = 'bright'\n", 5, "sun.irradiance must be \"auto\", a number or three");
-    expectProblem("[sun]\nirradiance = true\n", 5,
-                  "sun.irradiance must be 3 numbers in brackets or one number");
-    EXPECT_CONTAINS(problem("water = 3\n" + bed),
-                    "test.toml:1: water must be a table [water], not an integer");
+    expectProblem("[sun]\nirradiance = true\n", 5, "sun.irradiance must be 3 numbers in brackets or one number");
+    EXPECT_CONTAINS(problem("water = 3\n" + bed), "test.toml:1: water must be a table [water], not an integer");
     EXPECT_CONTAINS(problem("name = 3\n" + bed), "test.toml:1: name must be a string in quotes");
 }
 
@@ -127,18 +120,15 @@ TEST_F(BadTomlTest, OutOfRange)
     expectProblem("[water]\nlevel = nan\n", 5, "water.level must be a finite number");
     expectProblem("[water]\nlevel = -inf\n", 5, "water.level must be a finite number");
     expectProblem("[water]\nior = 0.9\n", 5, "water.ior must be 1 to 4, not 0.9");
-    expectProblem("[water]\nextent = [10, 0]\n", 5,
-                  "water.extent must be more than 0 and at most 1000000 m, not 0");
+    expectProblem("[water]\nextent = [10, 0]\n", 5, "water.extent must be more than 0 and at most 1000000 m, not 0");
     expectProblem("[water]\nabsorption = -1\n", 5, "water.absorption must be 0 to 1000 1/m, not -1");
     expectProblem("[[water.waves]]\nwavelength = -2\n", 5, "water.waves.wavelength must be more than 0");
-    expectProblem("[[water.waves]]\namplitude = -2\n", 5,
-                  "water.waves.amplitude must be 0 to 1000 m, not -2");
+    expectProblem("[[water.waves]]\namplitude = -2\n", 5, "water.waves.amplitude must be 0 to 1000 m, not -2");
     expectProblem("[sun]\nelevation = 91\n", 5, "sun.elevation must be -90 to 90 degrees, not 91");
     expectProblem("[sun]\ndirection = [0, 0, 0]\n", 5, "sun.direction must not be zero");
     expectProblem("[sun]\ndirection = [0, 1, 0]\nelevation = 3\n", 5, "sun.direction excludes elevation");
     expectProblem("[sky]\nturbidity = 1\n", 5, "sky.turbidity must be 2 to 10, not 1");
-    expectProblem("[sky]\nkind = 'cloudy'\n", 5,
-                  "sky.kind must be one of constant, daylight, picture, not 'cloudy'");
+    expectProblem("[sky]\nkind = 'cloudy'\n", 5, "sky.kind must be one of constant, daylight, picture, not 'cloudy'");
     expectProblem("[sky]\nkind = 'picture'\n", 4, "sky.file is missing");
     expectProblem("segments = 0\n", 4, "primitives.segments must be 1 to 1024, not 0");
     expectProblem("segments = 99999999999\n", 4, "primitives.segments must be 1 to 1024");
@@ -149,8 +139,7 @@ TEST_F(BadTomlTest, OutOfRange)
 TEST_F(BadTomlTest, TooManyWaves)
 {
     std::string text;
-    for (int i = 0; i < 65; ++i)
-        text += "[[water.waves]]\n";
+    for (int i = 0; i < 65; ++i) text += "[[water.waves]]\n";
     expectProblem(text, 4 + 64, "more than 64 waves");
 }
 
@@ -167,8 +156,7 @@ TEST_F(BadTomlTest, Cameras)
     camera("near = 0\n", 6, "near must be more than 0");
     camera("near = 5\nfar = 2\n", 6, "near must be smaller than far");
     expectProblem("[[cameras]]\neye = [0, 1, 2]\n", 4, "cameras.name is missing");
-    expectProblem("[[cameras]]\nname = 'c'\n[[cameras]]\nname = 'c'\n", 7,
-                  "cameras.name 'c' is already taken");
+    expectProblem("[[cameras]]\nname = 'c'\n[[cameras]]\nname = 'c'\n", 7, "cameras.name 'c' is already taken");
 }
 
 TEST_F(BadTomlTest, References)

@@ -22,10 +22,7 @@ public:
     double drift = 0.0;                ///< each batch of prices finds the machine slower by this part
     std::string png;                   ///< every picture's bytes
 
-    static Settings settingsOf(const TradePoint& point)
-    {
-        return changedSettings(Settings{}, point.changes, "test");
-    }
+    static Settings settingsOf(const TradePoint& point) { return changedSettings(Settings{}, point.changes, "test"); }
 
     /// ms: what more of anything costs.
     static double priceOf(const Options& o)
@@ -33,19 +30,17 @@ public:
         const auto square = [](int edge, int one) { return std::pow(static_cast<double>(edge) / one, 2.0); };
         return 2.0 + 0.15 * o.refraction.steps + square(o.refraction.targetSize, 512) +
                square(o.reflection.targetSize, 512) + 1.5 * square(o.caustics.photons, 256) +
-               0.5 * square(o.caustics.textureSize, 256) + 0.2 * square(o.water.gridSize, 49) +
-               0.4 * o.frame.msaa + 0.1 * o.sunlight.taps * o.sunlight.taps +
-               0.3 * square(o.sunlight.mapSize, 1024) +
+               0.5 * square(o.caustics.textureSize, 256) + 0.2 * square(o.water.gridSize, 49) + 0.4 * o.frame.msaa +
+               0.1 * o.sunlight.taps * o.sunlight.taps + 0.3 * square(o.sunlight.mapSize, 1024) +
                (o.water.normals == WaterOptions::Normals::pixel ? 0.5 : 0.0);
     }
 
     /// Mean FLIP: what less of anything leaves wrong.
     static double flipOf(const Options& o)
     {
-        return 0.01 + 0.04 / o.refraction.steps + 3.0 / o.refraction.targetSize +
-               2.0 / o.reflection.targetSize + 3.0 / o.caustics.photons + 1.0 / o.caustics.textureSize +
-               0.2 / o.water.gridSize + 0.004 / o.frame.msaa + 0.002 / o.sunlight.taps +
-               1.0 / o.sunlight.mapSize + 0.004 * std::abs(o.reflection.distance - 4.0) +
+        return 0.01 + 0.04 / o.refraction.steps + 3.0 / o.refraction.targetSize + 2.0 / o.reflection.targetSize +
+               3.0 / o.caustics.photons + 1.0 / o.caustics.textureSize + 0.2 / o.water.gridSize + 0.004 / o.frame.msaa +
+               0.002 / o.sunlight.taps + 1.0 / o.sunlight.mapSize + 0.004 * std::abs(o.reflection.distance - 4.0) +
                (o.refraction.method == RefractionOptions::Method::planar ? 0.03 : 0.0) +
                (o.water.normals == WaterOptions::Normals::pixel ? 0.0 : 0.02);
     }
@@ -74,8 +69,8 @@ public:
             asked += " " + point.id;
             const Options options = settingsOf(point).options;
             const double ms = slower * priceOf(options) * (1.0 + 0.1 * static_cast<double>(view));
-            const double base = slower * priceOf(settingsOf(points.front()).options) *
-                                (1.0 + 0.1 * static_cast<double>(view));
+            const double base =
+                slower * priceOf(settingsOf(points.front()).options) * (1.0 + 0.1 * static_cast<double>(view));
             prices.push_back({ms,
                               1.1 * ms,
                               1.9 * ms,

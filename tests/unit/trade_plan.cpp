@@ -28,8 +28,7 @@ TEST(TradeSweep, RangesGoUpInTheirSteps)
     EXPECT_EQ(valuesOf("refraction.steps=1:4"), (Values{"1", "2", "3", "4"}));
     EXPECT_EQ(valuesOf("refraction.steps=1:64:*2"), (Values{"1", "2", "4", "8", "16", "32", "64"}));
     EXPECT_EQ(valuesOf("reflection.distance=0:1:0.25"), (Values{"0", "0.25", "0.5", "0.75", "1"}));
-    EXPECT_EQ(valuesOf("reflection.distance=0:0.3:0.1"), (Values{"0", "0.1", "0.2", "0.3"}))
-        << "rounding adds up";
+    EXPECT_EQ(valuesOf("reflection.distance=0:0.3:0.1"), (Values{"0", "0.1", "0.2", "0.3"})) << "rounding adds up";
     EXPECT_EQ(valuesOf("refraction.steps=3:3"), Values{"3"});
     EXPECT_EQ(valuesOf("refraction.steps=1:6:2"), (Values{"1", "3", "5"}));
 }
@@ -39,8 +38,7 @@ TEST(TradeSweep, ListsHoldNumbersAndNames)
     EXPECT_EQ(valuesOf("caustics.texture_size=128, 256,512"), (Values{"128", "256", "512"}));
     EXPECT_EQ(valuesOf("caustics.method=cpu,fetch"), (Values{"cpu", "fetch"}));
     EXPECT_EQ(valuesOf("glow.enabled=on,off"), (Values{"true", "false"}));
-    EXPECT_EQ(valuesOf("reflection.distance=1,1.0,2"), (Values{"1", "2"}))
-        << "one value, written in two ways";
+    EXPECT_EQ(valuesOf("reflection.distance=1,1.0,2"), (Values{"1", "2"})) << "one value, written in two ways";
     EXPECT_EQ(valuesOf("water.absorption=0.1,0.2,0.3;0.5"), (Values{"0.1,0.2,0.3", "0.5,0.5,0.5"}));
 }
 
@@ -67,7 +65,8 @@ TEST(TradeSweep, MistakesAreToldBeforeAnyWork)
 TEST(TradeSweep, AnotherOptionMayBeSetMeanwhile)
 {
     const DescribeSettings describe = describerOf(Settings{});
-    const Sweep sweep = parseSweep("heights.march=classic,pyramid@refraction.method=raycast@heights.map_size= 512", describe);
+    const Sweep sweep =
+        parseSweep("heights.march=classic,pyramid@refraction.method=raycast@heights.map_size= 512", describe);
     EXPECT_EQ(sweep.values, (Values{"classic", "pyramid"}));
     EXPECT_EQ(sweep.title(), "heights.march (heights.map_size=512, refraction.method=raycast)");
     EXPECT_EQ(sweep.changes("classic"),
@@ -75,10 +74,12 @@ TEST(TradeSweep, AnotherOptionMayBeSetMeanwhile)
     EXPECT_CONTAINS(complaint("heights.march=classic@refraction.method=magic"), "magic");
     EXPECT_CONTAINS(complaint("heights.march=classic@refraction.method"), "key=value");
     EXPECT_CONTAINS(complaint("heights.march=classic@heights.march=pyramid"), "beside its sweep");
-    EXPECT_NO_THROW(parseSweeps({"heights.march=classic", "heights.march=classic@refraction.method=raycast"}, describe));
+    EXPECT_NO_THROW(
+        parseSweeps({"heights.march=classic", "heights.march=classic@refraction.method=raycast"}, describe));
     const auto twice = [&] {
-        parseSweeps({"heights.march=classic@refraction.method=raycast", "heights.march=pyramid@refraction.method=raycast"},
-                    describe);
+        parseSweeps(
+            {"heights.march=classic@refraction.method=raycast", "heights.march=pyramid@refraction.method=raycast"},
+            describe);
     };
     EXPECT_CONTAINS(messageOf<UsageError>(twice), "heights.march (refraction.method=raycast) is swept twice");
 }
@@ -92,8 +93,10 @@ TEST(TradePlan, TheDefaultHasEveryMethod)
         return std::any_of(plan.points.begin(), plan.points.end(),
                            [&](const TradePoint& point) { return point.id == wanted.id; });
     };
-    for (const char* method : {"planar", "iterative", "raycast"}) EXPECT_TRUE(has({{"refraction.method", method}})) << method;
-    for (const char* method : {"distance", "iterative", "raycast"}) EXPECT_TRUE(has({{"reflection.method", method}})) << method;
+    for (const char* method : {"planar", "iterative", "raycast"})
+        EXPECT_TRUE(has({{"refraction.method", method}})) << method;
+    for (const char* method : {"distance", "iterative", "raycast"})
+        EXPECT_TRUE(has({{"reflection.method", method}})) << method;
     for (const char* key : {"refraction.method", "reflection.method"})
         EXPECT_TRUE(has({{key, "raycast"}, {"heights.march", "classic"}})) << key;
 }
@@ -116,15 +119,12 @@ TEST(TradePlan, AGridHasEveryCombination)
         planTrade({{"refraction.steps=1:4", "caustics.filter=0:2"}, true, {}}, describerOf(Settings{}));
     EXPECT_EQ(plan.points.size(), 12u);
     EXPECT_TRUE(plan.sweeps.empty());
-    EXPECT_CONTAINS(messageOf<UsageError>([] {
-                        planTrade({{"refraction.steps=1:64", "refraction.target_size=16:1000"}, true, {}},
-                                  describerOf(Settings{}));
-                    }),
-                    "10000");
-    EXPECT_CONTAINS(messageOf<UsageError>([] {
-                        planTrade({{}, true, {}}, describerOf(Settings{}));
-                    }),
-                    "--sweep");
+    EXPECT_CONTAINS(
+        messageOf<UsageError>([] {
+            planTrade({{"refraction.steps=1:64", "refraction.target_size=16:1000"}, true, {}}, describerOf(Settings{}));
+        }),
+        "10000");
+    EXPECT_CONTAINS(messageOf<UsageError>([] { planTrade({{}, true, {}}, describerOf(Settings{})); }), "--sweep");
 }
 
 TEST(TradePlan, TheDefaultIsLargeEnoughAndNotTooLarge)
@@ -135,8 +135,7 @@ TEST(TradePlan, TheDefaultIsLargeEnoughAndNotTooLarge)
     EXPECT_EQ(plan.presets.size(), loadPresets().size());
     EXPECT_TRUE(plan.walk);
     for (std::size_t i = 0; i < plan.points.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            EXPECT_NE(plan.points[i].id, plan.points[j].id);
+        for (std::size_t j = 0; j < i; ++j) EXPECT_NE(plan.points[i].id, plan.points[j].id);
 }
 
 TEST(TradePlan, PresetsMayStandAlone)
@@ -176,8 +175,7 @@ TEST(TradePlan, ViewsMayTakeTurnsAtTheTimes)
 TEST(TradePlan, AnIdIsOfTheChangesOnly)
 {
     const DescribeSettings describe = describerOf(Settings{});
-    const TradePoint a =
-        makePoint({{"refraction.steps", "5"}, {"caustics.filter", "2"}}, "a", "sweep", describe);
+    const TradePoint a = makePoint({{"refraction.steps", "5"}, {"caustics.filter", "2"}}, "a", "sweep", describe);
     const TradePoint b = makePoint({{"refraction.steps", "5"}}, "b", "preset", describe);
     EXPECT_EQ(a.id, b.id) << "the filter is 2 anyway";
     EXPECT_EQ(a.id, "92ddc8e38381") << "results of older runs must still be found";
@@ -189,8 +187,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(TradePareto, KeepsWhatNothingBeats)
 {
-    EXPECT_EQ(paretoFront(std::vector<PricedError>{{3, 1}, {1, 3}, {2, 2}, {3, 2}, {2, 4}}),
-              (Front{1, 2, 0}));
+    EXPECT_EQ(paretoFront(std::vector<PricedError>{{3, 1}, {1, 3}, {2, 2}, {3, 2}, {2, 4}}), (Front{1, 2, 0}));
     EXPECT_EQ(paretoFront(std::vector<PricedError>{}), Front{});
     EXPECT_EQ(paretoFront(std::vector<PricedError>{{5, 5}}), Front{0});
 }
@@ -277,8 +274,7 @@ TEST(TradeWalk, TheFrontOfManyOptionsStaysSmall)
 TEST(TradeWalk, ThinnedKeepsBothEnds)
 {
     std::vector<WalkStep> steps;
-    for (int i = 0; i < 30; ++i)
-        steps.push_back({{}, static_cast<double>(i), 0.0});
+    for (int i = 0; i < 30; ++i) steps.push_back({{}, static_cast<double>(i), 0.0});
     const std::vector<WalkStep> few = thinned(steps, 5);
     ASSERT_EQ(few.size(), 5u);
     EXPECT_DOUBLE_EQ(few.front().price, 0.0);
@@ -290,10 +286,8 @@ TEST(TradeWalk, ThinnedFollowsTheFrontsLength)
 {
     // A steep part of many steps and a flat one of few: each is half as long as the whole.
     std::vector<WalkStep> steps;
-    for (int i = 0; i <= 20; ++i)
-        steps.push_back({{}, 0.0001 * i, 1.0 - 0.05 * i});
-    for (int i = 1; i <= 4; ++i)
-        steps.push_back({{}, 0.25 * i, -0.0001 * i});
+    for (int i = 0; i <= 20; ++i) steps.push_back({{}, 0.0001 * i, 1.0 - 0.05 * i});
+    for (int i = 1; i <= 4; ++i) steps.push_back({{}, 0.25 * i, -0.0001 * i});
     const std::vector<WalkStep> few = thinned(steps, 5);
     ASSERT_EQ(few.size(), 5u);
     EXPECT_NEAR(few[1].error, 0.5, 0.051);

@@ -49,8 +49,7 @@ TEST(TradeRun, MeasuresEverythingOnce)
     EXPECT_NEAR(one.views[0].errors.flip, flip, 1e-12);
     EXPECT_NEAR(one.mean.errors.flip, 1.1 * flip, 1e-12);
     EXPECT_NEAR(one.mean.errors.causticsRmse, 1.5 * flip, 1e-12) << "a view without caustics does not count";
-    EXPECT_NEAR(one.mean.price.median,
-                1.05 * SyntheticLab::priceOf(SyntheticLab::settingsOf(one.point).options), 1e-9);
+    EXPECT_NEAR(one.mean.price.median, 1.05 * SyntheticLab::priceOf(SyntheticLab::settingsOf(one.point).options), 1e-9);
 }
 
 TEST(TradeRun, AFallLosesNothingThatWasDone)
@@ -86,8 +85,7 @@ TEST(TradeRun, StopsWhenItIsTold)
     const test::TempFolder folder;
     SyntheticLab lab;
     const RunArguments arguments{1, 1, [&] { return lab.measured.size() == 5; }, nullptr};
-    const std::string told =
-        messageOf<Error>([&] { runIn(folder.path(), syntheticSetup(smallPlan), lab, arguments); });
+    const std::string told = messageOf<Error>([&] { runIn(folder.path(), syntheticSetup(smallPlan), lab, arguments); });
     EXPECT_CONTAINS(told, "goes on from there");
     EXPECT_EQ(lab.measured.size(), 5u);
 }
@@ -154,8 +152,7 @@ TEST(TradeRun, PricesOfBatchesAreRelatedByTheBase)
     for (const int steps : {1, 20, 40}) {
         Options options;
         options.refraction.steps = steps;
-        EXPECT_NEAR(ratio(fmt::format("refraction.steps={}", steps)), SyntheticLab::priceOf(options) / base,
-                    1e-9);
+        EXPECT_NEAR(ratio(fmt::format("refraction.steps={}", steps)), SyntheticLab::priceOf(options) / base, 1e-9);
     }
 }
 

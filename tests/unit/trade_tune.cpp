@@ -18,9 +18,9 @@ using test::messageOf;
 using test::SyntheticLab;
 using test::syntheticSetup;
 
-const std::vector<std::string> fewSweeps{"refraction.steps=1,2,3,6,12,24",
-                                         "refraction.target_size=128:2048:*2", "caustics.photons=128:1024:*2",
-                                         "water.normals=vertex,pixel", "frame.msaa=1,2,4,8"};
+const std::vector<std::string> fewSweeps{"refraction.steps=1,2,3,6,12,24", "refraction.target_size=128:2048:*2",
+                                         "caustics.photons=128:1024:*2", "water.normals=vertex,pixel",
+                                         "frame.msaa=1,2,4,8"};
 
 TuneRequest requestOf(const TuneGoal& goal)
 {
@@ -36,8 +36,7 @@ Tuned exhaustive(const TuneGoal& goal)
     for (const TradePoint& point : planTrade({fewSweeps, true, {}}, describe).points) {
         const Options options = SyntheticLab::settingsOf(point).options;
         const Tuned tuned{point, SyntheticLab::priceOf(options), SyntheticLab::flipOf(options)};
-        const double value = goal.maxError ? tuned.ms : tuned.error,
-                     least = goal.maxError ? best.ms : best.error;
+        const double value = goal.maxError ? tuned.ms : tuned.error, least = goal.maxError ? best.ms : best.error;
         const bool reached = goal.maxError ? tuned.error <= *goal.maxError : tuned.ms <= *goal.budgetMs;
         if (reached && value < least) best = tuned;
     }
@@ -118,8 +117,7 @@ std::vector<std::size_t> picksOf(const std::vector<std::pair<double, double>>& p
     TradeSetup setup = syntheticSetup({{"refraction.steps=1:20"}, false, {}});
     if (thesis) setup.plan.presets = {{"thesis", 1}};
     std::vector<std::size_t> points;
-    for (const PresetPick& pick : pickPresets(setup, resultsOf(setup, priced)))
-        points.push_back(pick.point);
+    for (const PresetPick& pick : pickPresets(setup, resultsOf(setup, priced))) points.push_back(pick.point);
     return points;
 }
 
@@ -135,8 +133,7 @@ TEST(Presets, ArePickedFromTheFrontByTheRule)
     // A thesis on the front itself: 3 is what its own price buys.
     EXPECT_EQ(picksOf({{70, 9}, {3, 6}, {1, 8}, {64, 1}}, true), (std::vector<std::size_t>{1, 1, 1, 1, 3}));
     // Nothing is known of what the thesis costs.
-    EXPECT_EQ(picksOf({{70, 9}, {std::nan(""), 6}, {1, 8}, {64, 1}}, true),
-              (std::vector<std::size_t>{2, 2, 2, 2, 3}));
+    EXPECT_EQ(picksOf({{70, 9}, {std::nan(""), 6}, {1, 8}, {64, 1}}, true), (std::vector<std::size_t>{2, 2, 2, 2, 3}));
     EXPECT_EQ(picksOf({{2, 2}}, false), (std::vector<std::size_t>{0, 0, 0, 0, 0}));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_CONTAINS(messageOf<Error>([&] { picksOf({{nan, 2}, {2, nan}}, false); }), "presets");
@@ -204,9 +201,9 @@ TEST(Presets, StandBetweenTheSceneAndTheOtherOptions)
     EXPECT_FLOAT_EQ(settings.options.frame.exposure, 0.5f) << "the scene's";
     EXPECT_FLOAT_EQ(settings.options.reflection.distance, 7.0f) << "the file's";
     EXPECT_EQ(settings.options.caustics.filter, 0) << "the assignment's";
-    EXPECT_CONTAINS(messageOf<UsageError>(
-                        [&] { resolveSettings(scene, {.files = {}, .assignments = {}, .preset = "tesis"}); }),
-                    "did you mean thesis?");
+    EXPECT_CONTAINS(
+        messageOf<UsageError>([&] { resolveSettings(scene, {.files = {}, .assignments = {}, .preset = "tesis"}); }),
+        "did you mean thesis?");
 }
 
 } // namespace

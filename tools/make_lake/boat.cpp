@@ -55,10 +55,9 @@ void addSkin(Mesh& mesh, float side, float inset, bool inside)
             const vec3 p = hullPoint(s, t, side, inset + lap);
             positions.push_back(p);
             uvs.emplace_back(0.5f * p.x + 0.31f * real(row / 2), 1.6f * t + 0.13f * real(row / 2));
-            colours.push_back(
-                inside
-                    ? vec3(0.75f, 0.62f, 0.47f) * mix(0.28f, 0.85f, smoothStep(0.1f, 0.45f, p.y))
-                    : outsideColour(p, (real(row / 2) + 0.5f) / real(strakes)) * (lap > 0.0f ? 0.62f : 1.0f));
+            colours.push_back(inside ? vec3(0.75f, 0.62f, 0.47f) * mix(0.28f, 0.85f, smoothStep(0.1f, 0.45f, p.y))
+                                     : outsideColour(p, (real(row / 2) + 0.5f) / real(strakes)) *
+                                           (lap > 0.0f ? 0.62f : 1.0f));
         }
     }
     const bool turned = (side > 0.0f) != inside;
@@ -91,8 +90,7 @@ void addTransom(Mesh& mesh, float shift, bool inside, const vec3& colour)
     const auto corner = [&](const vec3& p) {
         const vec3 q(p.x + shift, p.y, p.z);
         return mesh.add(q, normal, {q.z, q.y},
-                        q.y < 0.035f && !inside ? bottom
-                                                : colour * mix(0.6f, 1.0f, smoothStep(-0.1f, 0.3f, q.y)));
+                        q.y < 0.035f && !inside ? bottom : colour * mix(0.6f, 1.0f, smoothStep(-0.1f, 0.3f, q.y)));
     };
     const vec3 centre(rim.front().x, 0.5f * (rim.front().y + sectionAt(-1.0f).keel), 0.0f);
     const Corner middle = corner(centre);
@@ -106,8 +104,7 @@ void addTransom(Mesh& mesh, float shift, bool inside, const vec3& colour)
 }
 
 /// A board across or along the boat.
-void addBoard(Mesh& mesh, const vec3& centre, const vec3& size, float turn, const vec3& colour,
-              Random& random)
+void addBoard(Mesh& mesh, const vec3& centre, const vec3& size, float turn, const vec3& colour, Random& random)
 {
     BoxStyle style{.uvPerMetre = 0.7f, .uvOffset = {random.unit(), random.unit()}, .segments = 2};
     style.colour = [=](const vec3& p) { return colour * (p.y < centre.y ? 0.5f : 1.0f); };
@@ -120,8 +117,8 @@ void addFittings(Mesh& mesh, Random& random)
     mesh.use("wood");
     for (int k = -3; k <= 3; ++k) { // floor boards, shorter towards the sides
         const float z = 0.165f * real(k), shorter = 0.075f * real(std::abs(k));
-        addBoard(mesh, {-0.25f - 0.4f * shorter, floorHeight - 0.012f, z},
-                 {3.35f - 5.0f * shorter, 0.024f, 0.15f}, 0.0f, 0.6f * oiled, random);
+        addBoard(mesh, {-0.25f - 0.4f * shorter, floorHeight - 0.012f, z}, {3.35f - 5.0f * shorter, 0.024f, 0.15f},
+                 0.0f, 0.6f * oiled, random);
     }
     for (const float x : {-1.35f, 0.05f, 1.15f}) { // benches
         const float breadth = 2.0f * sectionAt(x / (0.5f * length)).halfBeam * 0.965f;
@@ -137,9 +134,9 @@ void addFittings(Mesh& mesh, Random& random)
         // Rail along the gunwale: it closes the gap between the skins.
         std::vector<TubeRing> rail;
         for (int k = 0; k <= stations; ++k)
-            rail.push_back({hullPoint(-1.0f + 2.0f * real(k) / real(stations), 1.0f, side, 0.010f) +
-                                vec3(0.0f, 0.004f, 0.0f),
-                            0.027f});
+            rail.push_back(
+                {hullPoint(-1.0f + 2.0f * real(k) / real(stations), 1.0f, side, 0.010f) + vec3(0.0f, 0.004f, 0.0f),
+                 0.027f});
         tube(rail, 6, vec3(0.62f, 0.47f, 0.33f));
         // An oar lying on the benches, blade over the bow bench.
         const vec3 handle(-1.75f, 0.39f, side * 0.16f), neck(0.75f, 0.355f, side * 0.34f),
@@ -152,8 +149,7 @@ void addFittings(Mesh& mesh, Random& random)
     tube({{{-0.5f * length + 0.14f, freeboard + 0.045f, -0.5f}, 0.025f},
           {{-0.5f * length + 0.14f, freeboard + 0.045f, 0.5f}, 0.025f}},
          6, vec3(0.62f, 0.47f, 0.33f));
-    tube({{{0.5f * length - 0.22f, 0.50f, 0.0f}, 0.032f},
-          {{0.5f * length - 0.05f, freeboard + 0.24f, 0.0f}, 0.035f}},
+    tube({{{0.5f * length - 0.22f, 0.50f, 0.0f}, 0.032f}, {{0.5f * length - 0.05f, freeboard + 0.24f, 0.0f}, 0.035f}},
          6, vec3(0.62f, 0.47f, 0.33f));
 }
 
@@ -203,8 +199,7 @@ Mesh makeRope(const PierSite& site)
     for (int k = 0; k <= 30; ++k) {
         const float turn = 2.0f * pi * 2.5f * real(k) / 30.0f;
         turns.push_back(
-            {knot + vec3(0.132f * std::cos(turn), 0.0013f * real(k) - 0.03f, 0.132f * std::sin(turn)),
-             0.014f});
+            {knot + vec3(0.132f * std::cos(turn), 0.0013f * real(k) - 0.03f, 0.132f * std::sin(turn)), 0.014f});
     }
     addTube(mesh, turns, style);
     return mesh;

@@ -17,13 +17,9 @@ float encodeSrgb(float linear)
     return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
 }
 
-unsigned char toByte(float value)
-{
-    return static_cast<unsigned char>(std::lround(255.0f * saturate(value)));
-}
+unsigned char toByte(float value) { return static_cast<unsigned char>(std::lround(255.0f * saturate(value))); }
 
-void writePicture(const std::filesystem::path& file, const Canvas& canvas, int channels, bool srgb,
-                  int quality)
+void writePicture(const std::filesystem::path& file, const Canvas& canvas, int channels, bool srgb, int quality)
 {
     const int size = canvas.size();
     std::vector<unsigned char> bytes;
@@ -31,21 +27,19 @@ void writePicture(const std::filesystem::path& file, const Canvas& canvas, int c
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             const vec4& pixel = canvas.at(x, y);
-            for (int c = 0; c < 3; ++c)
-                bytes.push_back(toByte(srgb ? encodeSrgb(pixel[c]) : pixel[c]));
+            for (int c = 0; c < 3; ++c) bytes.push_back(toByte(srgb ? encodeSrgb(pixel[c]) : pixel[c]));
             if (channels == 4) bytes.push_back(toByte(pixel.w));
         }
     }
     writeWhole(file, [&](const std::filesystem::path& temporary) {
         const auto output = OIIO::ImageOutput::create(temporary.string());
-        if (!output)
-            throw Error("{}: no writer for this kind of picture: {}", file.string(), OIIO::geterror());
+        if (!output) throw Error("{}: no writer for this kind of picture: {}", file.string(), OIIO::geterror());
         OIIO::ImageSpec spec(size, size, channels, OIIO::TypeDesc::UINT8);
         spec.attribute("png:compressionLevel", 9);
         spec.attribute("Compression", quality > 0 ? "jpeg:" + std::to_string(quality) : std::string("zip"));
         spec.attribute("oiio:UnassociatedAlpha", 1);
-        if (!output->open(temporary.string(), spec) ||
-            !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close())
+        if (!output->open(temporary.string(), spec) || !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) ||
+            !output->close())
             throw Error("{}: cannot write the picture: {}", file.string(), output->geterror());
     });
 }
@@ -55,8 +49,7 @@ void writePicture(const std::filesystem::path& file, const Canvas& canvas, int c
 vec4& Canvas::at(int x, int y)
 {
     const int column = ((x % size_) + size_) % size_, row = ((y % size_) + size_) % size_;
-    return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) +
-                   static_cast<std::size_t>(column)];
+    return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column)];
 }
 
 const vec4& Canvas::at(int x, int y) const { return const_cast<Canvas*>(this)->at(x, y); }
@@ -64,8 +57,7 @@ const vec4& Canvas::at(int x, int y) const { return const_cast<Canvas*>(this)->a
 void Canvas::fill(const std::function<vec4(vec2)>& paint)
 {
     for (int y = 0; y < size_; ++y)
-        for (int x = 0; x < size_; ++x)
-            at(x, y) = paint(vec2(real(x) + 0.5f, real(size_ - y) - 0.5f) / real(size_));
+        for (int x = 0; x < size_; ++x) at(x, y) = paint(vec2(real(x) + 0.5f, real(size_ - y) - 0.5f) / real(size_));
 }
 
 void Canvas::stroke(vec2 a, vec2 b, float radiusA, float radiusB, const vec3& colour)
@@ -98,8 +90,7 @@ void Canvas::stamp(vec2 centre, float reach, const std::function<float(vec2)>& i
             if (edge_ == Edge::cut && (x < 0 || y < 0 || x >= size_ || y >= size_)) continue;
             vec4& pixel = at(x, y);
             const float alpha = coverage + pixel.w * (1.0f - coverage);
-            const vec3 blended =
-                (coverage * colour(offset) + (1.0f - coverage) * pixel.w * vec3(pixel)) / alpha;
+            const vec3 blended = (coverage * colour(offset) + (1.0f - coverage) * pixel.w * vec3(pixel)) / alpha;
             pixel = vec4(blended, alpha);
         }
     }
@@ -128,8 +119,7 @@ void Canvas::bleed()
     // A pyramid of coverage-weighted averages: an empty pixel takes the colour of the finest level that has
     // one.
     std::vector<Canvas> levels{*this};
-    while (levels.back().size_ > 1)
-        levels.push_back(levels.back().halved());
+    while (levels.back().size_ > 1) levels.push_back(levels.back().halved());
     for (int y = 0; y < size_; ++y) {
         for (int x = 0; x < size_; ++x) {
             vec4& pixel = at(x, y);
@@ -170,12 +160,10 @@ void setMean(Canvas& canvas, const vec3& mean)
 {
     glm::dvec3 sum(0.0);
     for (int y = 0; y < canvas.size(); ++y)
-        for (int x = 0; x < canvas.size(); ++x)
-            sum += glm::dvec3(canvas.at(x, y));
+        for (int x = 0; x < canvas.size(); ++x) sum += glm::dvec3(canvas.at(x, y));
     const vec3 scale = mean * real(canvas.size() * canvas.size()) / vec3(sum);
     for (int y = 0; y < canvas.size(); ++y)
-        for (int x = 0; x < canvas.size(); ++x)
-            canvas.at(x, y) *= vec4(scale, 1.0f);
+        for (int x = 0; x < canvas.size(); ++x) canvas.at(x, y) *= vec4(scale, 1.0f);
 }
 
 void writeJpeg(const std::filesystem::path& file, const Canvas& canvas, int quality)

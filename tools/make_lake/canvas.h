@@ -19,8 +19,7 @@ public:
     enum class Edge { tiled, cut };
 
     explicit Canvas(int size = textureSize, Edge edge = Edge::tiled)
-        : size_(size), edge_(edge),
-          pixels_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), vec4(0.0f))
+        : size_(size), edge_(edge), pixels_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), vec4(0.0f))
     {}
 
     int size() const { return size_; }

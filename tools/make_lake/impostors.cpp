@@ -21,8 +21,7 @@ struct Skins {
 Canvas reduced(const Canvas& canvas, int size)
 {
     Canvas small = canvas.halved();
-    while (small.size() > size)
-        small = small.halved();
+    while (small.size() > size) small = small.halved();
     small.bleed();
     return small;
 }
@@ -31,9 +30,7 @@ vec4 sample(const Canvas* skin, const std::string& material, vec2 uv)
 {
     if (!skin) return vec4(material == "birch" ? vec3(0.5f) : vec3(0.14f, 0.11f, 0.085f), 1.0f);
     const float n = real(skin->size());
-    const auto pixel = [n](float s) {
-        return static_cast<int>(std::floor(std::min(std::max(s, 0.0f), n - 1.0f)));
-    };
+    const auto pixel = [n](float s) { return static_cast<int>(std::floor(std::min(std::max(s, 0.0f), n - 1.0f))); };
     return skin->at(pixel(uv.x * n), pixel((1.0f - uv.y) * n));
 }
 
@@ -45,8 +42,7 @@ public:
           depths_(static_cast<std::size_t>(size.x * size.y), -1e9f)
     {}
 
-    void draw(const Mesh& mesh, const Face& face, const std::array<std::size_t, 3>& corners,
-              const Skins& skins)
+    void draw(const Mesh& mesh, const Face& face, const std::array<std::size_t, 3>& corners, const Skins& skins)
     {
         const std::string& material = mesh.materials()[static_cast<std::size_t>(face.material)];
         const Canvas* skin = skins.find(material);
@@ -66,13 +62,11 @@ public:
         const float area = cross(p[0], p[1], p[2]);
         if (std::abs(area) < 1e-4f) return;
         const vec3 low = glm::min(p[0], glm::min(p[1], p[2])), high = glm::max(p[0], glm::max(p[1], p[2]));
-        for (int y = std::max(0, static_cast<int>(low.y));
-             y <= std::min(size_.y - 1, static_cast<int>(high.y)); ++y) {
-            for (int x = std::max(0, static_cast<int>(low.x));
-                 x <= std::min(size_.x - 1, static_cast<int>(high.x)); ++x) {
+        for (int y = std::max(0, static_cast<int>(low.y)); y <= std::min(size_.y - 1, static_cast<int>(high.y)); ++y) {
+            for (int x = std::max(0, static_cast<int>(low.x)); x <= std::min(size_.x - 1, static_cast<int>(high.x));
+                 ++x) {
                 const vec3 at(real(x) + 0.5f, real(y) + 0.5f, 0.0f);
-                const vec3 w(cross(p[1], p[2], at) / area, cross(p[2], p[0], at) / area,
-                             cross(p[0], p[1], at) / area);
+                const vec3 w(cross(p[1], p[2], at) / area, cross(p[2], p[0], at) / area, cross(p[0], p[1], at) / area);
                 if (std::min(w.x, std::min(w.y, w.z)) < 0.0f) continue;
                 float& depth = depths_[static_cast<std::size_t>(y * size_.x + x)];
                 const float z = w.x * p[0].z + w.y * p[1].z + w.z * p[2].z;

@@ -158,8 +158,7 @@ vec2 LakeShape::shoreAlong(vec2 origin, float angleDegrees) const
     const float angle = glm::radians(angleDegrees);
     const vec2 direction(std::cos(angle), std::sin(angle));
     float distance = 0.0f;
-    while (distance < 150.0f && height(origin + distance * direction) < 0.0f)
-        distance += 0.05f;
+    while (distance < 150.0f && height(origin + distance * direction) < 0.0f) distance += 0.05f;
     return origin + distance * direction;
 }
 

@@ -82,13 +82,13 @@ public:
         vertices_ += mesh.positions.size();
         faces_ += mesh.faces.size();
         drawn_ += mesh.triangles() * copies;
-        std::cerr << fmt::format("{:14} {:7} vertices {:7} faces {:4} x {:6} triangles\n", name,
-                                 mesh.positions.size(), mesh.faces.size(), copies, mesh.triangles());
+        std::cerr << fmt::format("{:14} {:7} vertices {:7} faces {:4} x {:6} triangles\n", name, mesh.positions.size(),
+                                 mesh.faces.size(), copies, mesh.triangles());
     }
     void summary() const
     {
-        std::cerr << fmt::format("{:14} {:7} vertices {:7} faces, {} triangles drawn\n", "together",
-                                 vertices_, faces_, drawn_);
+        std::cerr << fmt::format("{:14} {:7} vertices {:7} faces, {} triangles drawn\n", "together", vertices_, faces_,
+                                 drawn_);
     }
 
 private:
@@ -103,24 +103,20 @@ std::vector<Shade> otherShades(const std::vector<Boulder>& boulders, const PierS
     std::vector<Shade> shades;
     for (const Boulder& boulder : boulders)
         shades.push_back({{boulder.centre.x, boulder.centre.z}, 1.7f * boulder.radii.x, 0.6f});
-    for (float along = 0.0f; along < site.length; along += 0.7f)
-        shades.push_back({site.at(along, 0.0f), 1.6f, 0.22f});
+    for (float along = 0.0f; along < site.length; along += 0.7f) shades.push_back({site.at(along, 0.0f), 1.6f, 0.22f});
     const vec3 boat(boatPlace(site)[3]), bow(boatPlace(site) * vec4(1.2f, 0, 0, 1)),
         stern(boatPlace(site) * vec4(-1.2f, 0, 0, 1));
-    for (const vec3& p : {boat, bow, stern})
-        shades.push_back({{p.x, p.z}, 1.5f, 0.25f});
+    for (const vec3& p : {boat, bow, stern}) shades.push_back({{p.x, p.z}, 1.5f, 0.25f});
     return shades;
 }
 
 void writePlants(Output& output, const LakeShape& shape, const std::vector<View>& cameras,
-                 const std::vector<Species>& species, const std::filesystem::path& textures,
-                 std::uint32_t seed)
+                 const std::vector<Species>& species, const std::filesystem::path& textures, std::uint32_t seed)
 {
     const FoliageTextures foliage = drawFoliage(seed);
     writeFoliageTextures(textures, foliage);
     std::vector<const Mesh*> far;
-    for (const std::size_t kind : {0u, 1u, 2u, 3u, 5u, 6u, 7u, 8u})
-        far.push_back(&species[kind].mesh);
+    for (const std::size_t kind : {0u, 1u, 2u, 3u, 5u, 6u, 7u, 8u}) far.push_back(&species[kind].mesh);
     const Impostors impostors = drawImpostors(far, foliage);
     writePngWithAlpha(textures / "forest_trees.png", impostors.picture);
 
@@ -146,12 +142,12 @@ void make(const Arguments& arguments)
     const std::vector<StandingTree> trees = plantTrees(shape, species, cameras, Random(seed, 7));
 
     std::vector<Shade> shades = treeShades(trees, species);
-    for (const Shade& shade : otherShades(boulders, site))
-        shades.push_back(shade);
+    for (const Shade& shade : otherShades(boulders, site)) shades.push_back(shade);
 
     Output output(arguments.out, Refinement::times(arguments.scale));
-    output.write(makeTerrain(shape, shades, seed + 8), "terrain", 1,
-                 [&](const vec3& p) { return shape.onGround({p.x, p.z}); });
+    output.write(makeTerrain(shape, shades, seed + 8), "terrain", 1, [&](const vec3& p) {
+        return shape.onGround({p.x, p.z});
+    });
     output.write(makeMountains(seed + 9), "mountains");
     output.write(makeBoulders(boulders, shape, seed + 10), "boulders");
     output.write(makeStones(shape, Random(seed, 11)), "stones");
@@ -163,16 +159,15 @@ void make(const Arguments& arguments)
     writePlants(output, shape, cameras, species, textures, seed);
     for (std::size_t kind = 0; kind < species.size(); ++kind) {
         std::size_t copies = 0;
-        for (const StandingTree& tree : trees)
-            copies += tree.species == kind ? 1u : 0u;
+        for (const StandingTree& tree : trees) copies += tree.species == kind ? 1u : 0u;
         output.write(species[kind].mesh, species[kind].name, copies);
     }
     writeMaterials(arguments.out);
     writeGroundTextures(textures, seed);
     writeWoodTextures(textures, seed);
 
-    SceneParts parts{.placedModels = {"terrain", "mountains", "boulders", "stones", "trunk", "pier", "reeds",
-                                      "grass", "weed", "forest"},
+    SceneParts parts{.placedModels = {"terrain", "mountains", "boulders", "stones", "trunk", "pier", "reeds", "grass",
+                                      "weed", "forest"},
                      .species = &species,
                      .trees = &trees,
                      .views = &cameras,

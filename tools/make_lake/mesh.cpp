@@ -36,10 +36,7 @@ Corner Mesh::add(const vec3& position, const vec3& normal, vec2 uv, const vec3& 
     return {addPosition(position, colour), addUv(uv), addNormal(normal)};
 }
 
-void Mesh::triangle(const Corner& a, const Corner& b, const Corner& c)
-{
-    faces.push_back({{a, b, c, a}, 3, current_});
-}
+void Mesh::triangle(const Corner& a, const Corner& b, const Corner& c) { faces.push_back({{a, b, c, a}, 3, current_}); }
 
 void Mesh::quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d)
 {
@@ -53,8 +50,7 @@ void Mesh::append(const Mesh& other, const mat4& worldFromModel)
     const mat3 turn(worldFromModel);
     for (std::size_t i = 0; i < other.positions.size(); ++i)
         addPosition(vec3(worldFromModel * vec4(other.positions[i], 1.0f)), other.colours[i]);
-    for (const vec3& normal : other.normals)
-        addNormal(turn * normal);
+    for (const vec3& normal : other.normals) addNormal(turn * normal);
     uvs.insert(uvs.end(), other.uvs.begin(), other.uvs.end());
     const int before = current_;
     for (Face face : other.faces) {
@@ -79,16 +75,15 @@ void Mesh::tint(const std::function<vec3(const vec3&, const vec3&)>& change)
 std::size_t Mesh::triangles() const
 {
     std::size_t sum = 0;
-    for (const Face& face : faces)
-        sum += face.count == 4 ? 2u : 1u;
+    for (const Face& face : faces) sum += face.count == 4 ? 2u : 1u;
     return sum;
 }
 
 namespace {
 
 /// A fan over a ring, for the end of a bar.
-void addCap(Mesh& mesh, const std::vector<Corner>& ring, const TubeRing& end, const vec3& outward,
-            bool reverse, const TubeStyle& style)
+void addCap(Mesh& mesh, const std::vector<Corner>& ring, const TubeRing& end, const vec3& outward, bool reverse,
+            const TubeStyle& style)
 {
     const int normal = mesh.addNormal(outward);
     const int centre = mesh.addPosition(end.centre, style.colour(end.centre));
@@ -97,8 +92,7 @@ void addCap(Mesh& mesh, const std::vector<Corner>& ring, const TubeRing& end, co
     std::vector<int> rim;
     for (int side = 0; side <= style.sides; ++side) {
         const float turn = 2.0f * pi * real(side) / real(style.sides);
-        rim.push_back(
-            mesh.addUv({style.uOffset + 0.5f + spread * std::cos(turn), 0.5f + spread * std::sin(turn)}));
+        rim.push_back(mesh.addUv({style.uOffset + 0.5f + spread * std::cos(turn), 0.5f + spread * std::sin(turn)}));
     }
     for (int side = 0; side < style.sides; ++side) {
         const auto i = static_cast<std::size_t>(side);
@@ -144,8 +138,8 @@ void addTube(Mesh& mesh, const std::vector<TubeRing>& rings, const TubeStyle& st
             } else {
                 corner = corners[i].front();
             }
-            corner.uv = mesh.addUv(
-                {style.uOffset + style.uvRound * real(s) / real(style.sides), along * style.uvPerMetre});
+            corner.uv =
+                mesh.addUv({style.uOffset + style.uvRound * real(s) / real(style.sides), along * style.uvPerMetre});
             corners[i].push_back(corner);
         }
     }
@@ -153,8 +147,7 @@ void addTube(Mesh& mesh, const std::vector<TubeRing>& rings, const TubeStyle& st
         for (std::size_t s = 0; s < static_cast<std::size_t>(style.sides); ++s)
             mesh.quad(corners[i][s], corners[i][s + 1], corners[i + 1][s + 1], corners[i + 1][s]);
     if (style.capStart) addCap(mesh, corners.front(), rings.front(), -pathDirection(rings, 0), true, style);
-    if (style.capEnd)
-        addCap(mesh, corners.back(), rings.back(), pathDirection(rings, rings.size() - 1), false, style);
+    if (style.capEnd) addCap(mesh, corners.back(), rings.back(), pathDirection(rings, rings.size() - 1), false, style);
 }
 
 void addBox(Mesh& mesh, const mat4& worldFromBox, const vec3& size, const BoxStyle& style)
@@ -187,8 +180,7 @@ void addBox(Mesh& mesh, const mat4& worldFromBox, const vec3& size, const BoxSty
             const float v0 = size.x * real(static_cast<int>(r)) / real(style.segments);
             const float v1 = size.x * real(static_cast<int>(r + 1)) / real(style.segments);
             const auto corner = [&](std::size_t ring, std::size_t c, float u, float v) {
-                return Corner{rings[ring][c], mesh.addUv(style.uvOffset + style.uvPerMetre * vec2(u, v)),
-                              normal};
+                return Corner{rings[ring][c], mesh.addUv(style.uvOffset + style.uvPerMetre * vec2(u, v)), normal};
             };
             mesh.quad(corner(r, k, across, v0), corner(r, next, across + width, v0),
                       corner(r + 1, next, across + width, v1), corner(r + 1, k, across, v1));
@@ -226,8 +218,7 @@ IcoSphere icoSphere(int levels)
                      {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
                       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
-    for (vec3& p : sphere.positions)
-        p = glm::normalize(p);
+    for (vec3& p : sphere.positions) p = glm::normalize(p);
     for (int level = 0; level < levels; ++level) {
         std::map<std::pair<int, int>, int> middles;
         const auto middle = [&](int a, int b) {
@@ -249,34 +240,27 @@ IcoSphere icoSphere(int levels)
     return sphere;
 }
 
-std::vector<vec3> smoothNormals(const std::vector<vec3>& positions,
-                                const std::vector<std::array<int, 3>>& triangles)
+std::vector<vec3> smoothNormals(const std::vector<vec3>& positions, const std::vector<std::array<int, 3>>& triangles)
 {
     std::vector<vec3> normals(positions.size(), vec3(0.0f));
     for (const auto& triangle : triangles) {
         const auto at = [&](std::size_t k) { return positions[static_cast<std::size_t>(triangle[k])]; };
         const vec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
-        for (const int corner : triangle)
-            normals[static_cast<std::size_t>(corner)] += normal;
+        for (const int corner : triangle) normals[static_cast<std::size_t>(corner)] += normal;
     }
-    for (vec3& normal : normals)
-        normal = glm::normalize(normal);
+    for (vec3& normal : normals) normal = glm::normalize(normal);
     return normals;
 }
 
 std::vector<std::array<vec3, 3>> creasedNormals(const std::vector<vec3>& positions,
-                                                const std::vector<std::array<int, 3>>& triangles,
-                                                float cosine)
+                                                const std::vector<std::array<int, 3>>& triangles, float cosine)
 {
     std::vector<vec3> faceNormals; // their length is twice the area
     std::vector<std::vector<std::size_t>> facesAt(positions.size());
     for (std::size_t face = 0; face < triangles.size(); ++face) {
-        const auto at = [&](std::size_t k) {
-            return positions[static_cast<std::size_t>(triangles[face][k])];
-        };
+        const auto at = [&](std::size_t k) { return positions[static_cast<std::size_t>(triangles[face][k])]; };
         faceNormals.push_back(glm::cross(at(1) - at(0), at(2) - at(0)));
-        for (const int corner : triangles[face])
-            facesAt[static_cast<std::size_t>(corner)].push_back(face);
+        for (const int corner : triangles[face]) facesAt[static_cast<std::size_t>(corner)].push_back(face);
     }
     std::vector<std::array<vec3, 3>> normals(triangles.size());
     for (std::size_t face = 0; face < triangles.size(); ++face) {

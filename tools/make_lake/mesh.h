@@ -89,14 +89,12 @@ struct IcoSphere {
 IcoSphere icoSphere(int levels);
 
 /// Normals of a triangle mesh, weighted by area.
-std::vector<vec3> smoothNormals(const std::vector<vec3>& positions,
-                                const std::vector<std::array<int, 3>>& triangles);
+std::vector<vec3> smoothNormals(const std::vector<vec3>& positions, const std::vector<std::array<int, 3>>& triangles);
 
 /// Normals of the corners of each triangle, smoothed only over faces whose normals are nearer than the angle
 /// of this cosine: edges stay edges.
 std::vector<std::array<vec3, 3>> creasedNormals(const std::vector<vec3>& positions,
-                                                const std::vector<std::array<int, 3>>& triangles,
-                                                float cosine);
+                                                const std::vector<std::array<int, 3>>& triangles, float cosine);
 
 /// UVs of a triangle seen along the axis that its normal is closest to: no stretching on any slope.
 std::array<vec2, 3> boxUvs(const vec3& a, const vec3& b, const vec3& c, float perMetre);

@@ -67,8 +67,7 @@ float Noise::at(vec2 p, ivec2 period) const
     const int x = static_cast<int>(fx), y = static_cast<int>(fy);
     const float dx = p.x - fx, dy = p.y - fy;
     const auto corner = [&](int i, int j) {
-        return slope2(hash(wrap(x + i, period.x), wrap(y + j, period.y), 0, seed_), dx - real(i),
-                      dy - real(j));
+        return slope2(hash(wrap(x + i, period.x), wrap(y + j, period.y), 0, seed_), dx - real(i), dy - real(j));
     };
     const float u = fade(dx), v = fade(dy);
     return 1.4f * mix(mix(corner(0, 0), corner(1, 0), u), mix(corner(0, 1), corner(1, 1), u), v);
@@ -118,8 +117,7 @@ float Noise::ridges(vec2 p, int octaves, ivec2 period) const
 {
     float sum = 0.0f, amplitude = 1.0f, total = 0.0f;
     for (int octave = 0; octave < octaves; ++octave) {
-        const float crest =
-            1.0f - std::abs(Noise(seed_ + static_cast<std::uint32_t>(octave) * 131u).at(p, period));
+        const float crest = 1.0f - std::abs(Noise(seed_ + static_cast<std::uint32_t>(octave) * 131u).at(p, period));
         sum += amplitude * crest * crest;
         total += amplitude;
         amplitude *= 0.5f;
@@ -133,8 +131,7 @@ float Noise::ridges(const vec3& p, int octaves) const
 {
     float sum = 0.0f, amplitude = 1.0f, total = 0.0f, frequency = 1.0f;
     for (int octave = 0; octave < octaves; ++octave) {
-        const float crest =
-            1.0f - std::abs(Noise(seed_ + static_cast<std::uint32_t>(octave) * 131u).at(frequency * p));
+        const float crest = 1.0f - std::abs(Noise(seed_ + static_cast<std::uint32_t>(octave) * 131u).at(frequency * p));
         sum += amplitude * crest * crest;
         total += amplitude;
         amplitude *= 0.5f;
@@ -150,8 +147,7 @@ Cell Noise::cell(vec2 p, ivec2 period) const
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
             const int cx = wrap(x + i, period.x), cy = wrap(y + j, period.y);
-            const vec2 feature(real(x + i) + hashUnit(cx, cy, 1, seed_),
-                               real(y + j) + hashUnit(cx, cy, 2, seed_));
+            const vec2 feature(real(x + i) + hashUnit(cx, cy, 1, seed_), real(y + j) + hashUnit(cx, cy, 2, seed_));
             const float distance = glm::length(p - feature);
             if (distance < result.nearest) {
                 result.second = result.nearest;

@@ -24,22 +24,20 @@ void append(std::string& text, float value, int decimals)
 
 /// Values rounded to `decimals`, each written once under `keyword`; tells the OBJ index of every original.
 template <int N>
-std::vector<int> appendOnce(std::string& text, const char* keyword,
-                            const std::vector<glm::vec<N, float>>& values, int decimals)
+std::vector<int> appendOnce(std::string& text, const char* keyword, const std::vector<glm::vec<N, float>>& values,
+                            int decimals)
 {
     std::map<std::array<long, N>, int> known;
     std::vector<int> indices;
     const float scale = std::pow(10.0f, real(decimals));
     for (const auto& value : values) {
         std::array<long, N> key{};
-        for (int c = 0; c < N; ++c)
-            key[static_cast<std::size_t>(c)] = std::lround(value[c] * scale);
+        for (int c = 0; c < N; ++c) key[static_cast<std::size_t>(c)] = std::lround(value[c] * scale);
         const auto [entry, isNew] = known.try_emplace(key, static_cast<int>(known.size()) + 1);
         indices.push_back(entry->second);
         if (!isNew) continue;
         text += keyword;
-        for (int c = 0; c < N; ++c)
-            append(text, value[c], decimals);
+        for (int c = 0; c < N; ++c) append(text, value[c], decimals);
         text += '\n';
     }
     return indices;
@@ -49,14 +47,12 @@ std::vector<int> appendOnce(std::string& text, const char* keyword,
 
 void writeObj(const std::filesystem::path& file, const Mesh& mesh, const std::string& name)
 {
-    std::string text = fmt::format("# Made by make_lake; see README.md in this folder.\nmtllib {}\no {}\n",
-                                   materialFile, name);
+    std::string text =
+        fmt::format("# Made by make_lake; see README.md in this folder.\nmtllib {}\no {}\n", materialFile, name);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         text += 'v';
-        for (int c = 0; c < 3; ++c)
-            append(text, mesh.positions[i][c], 3);
-        for (int c = 0; c < 3; ++c)
-            append(text, mesh.colours[i][c], 3);
+        for (int c = 0; c < 3; ++c) append(text, mesh.positions[i][c], 3);
+        for (int c = 0; c < 3; ++c) append(text, mesh.colours[i][c], 3);
         text += '\n';
     }
     const std::vector<int> uvs = appendOnce<2>(text, "vt", mesh.uvs, 4);

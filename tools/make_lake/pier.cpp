@@ -18,8 +18,7 @@ vec3 woodColour(const vec3& p, float tone)
 /// The frame of a board: x along `along`, y up, centred at `centre`.
 mat4 boardFrame(const vec3& centre, const vec3& along, float roll = 0.0f)
 {
-    const vec3 x = glm::normalize(along), z = glm::normalize(glm::cross(x, vec3(0, 1, 0))),
-               y = glm::cross(z, x);
+    const vec3 x = glm::normalize(along), z = glm::normalize(glm::cross(x, vec3(0, 1, 0))), y = glm::cross(z, x);
     const mat4 frame(vec4(x, 0), vec4(y, 0), vec4(z, 0), vec4(centre, 1));
     return glm::rotate(frame, roll, vec3(1, 0, 0));
 }
@@ -53,8 +52,7 @@ void addPlanks(Mesh& mesh, const PierSite& site, const DeckPart& part, Random& r
         const float width = random.range(0.135f, 0.17f), middle = along + 0.5f * width;
         const float overhang = 0.05f * random.sign(), tone = random.range(0.78f, 1.05f);
         const vec3 a = lift(site.at(middle + 0.008f * random.sign(), -part.halfWidth - overhang), 0.0f);
-        const vec3 b =
-            lift(site.at(middle + 0.008f * random.sign(), part.halfWidth + 0.03f * random.sign()), 0.0f);
+        const vec3 b = lift(site.at(middle + 0.008f * random.sign(), part.halfWidth + 0.03f * random.sign()), 0.0f);
         const float y = site.deck - 0.5f * plankThickness + 0.006f * random.sign();
         BoxStyle style{.uvPerMetre = 0.8f, .uvOffset = {random.unit(), random.unit()}, .segments = 2};
         style.colour = [=, &site](const vec3& p) { // dark underneath
@@ -94,23 +92,23 @@ Mesh makePier(const LakeShape& shape, const PierSite& site, Random random)
     const float under = site.deck - plankThickness - 0.085f;
     for (const float side : {-1.0f, 1.0f}) {
         const float inset = half - 0.14f;
-        addBeam(mesh, lift(site.at(0.0f, side * inset), under),
-                lift(site.at(site.length - 0.1f, side * inset), under), 0.15f, 0.09f, 0.55f, random);
+        addBeam(mesh, lift(site.at(0.0f, side * inset), under), lift(site.at(site.length - 0.1f, side * inset), under),
+                0.15f, 0.09f, 0.55f, random);
         const float wide = headHalf - 0.16f;
         addBeam(mesh, lift(site.at(site.length - head + 0.05f, side * wide), under),
                 lift(site.at(site.length - 0.1f, side * wide), under), 0.15f, 0.09f, 0.55f, random);
     }
     for (float along = 2.2f; along < site.length - head - 0.5f; along += 2.55f) {
         for (const float side : {-1.0f, 1.0f})
-            addPost(mesh, shape, site.at(along, side * (half + 0.02f)),
-                    site.deck + random.range(0.10f, 0.28f), 0.105f, random);
+            addPost(mesh, shape, site.at(along, side * (half + 0.02f)), site.deck + random.range(0.10f, 0.28f), 0.105f,
+                    random);
         addBeam(mesh, lift(site.at(along + 0.15f, -half - 0.1f), under - 0.14f),
                 lift(site.at(along + 0.15f, half + 0.1f), under - 0.14f), 0.13f, 0.08f, 0.5f, random);
     }
     for (const float along : {site.length - head + 0.35f, site.length - 0.3f}) {
         for (const float side : {-1.0f, 1.0f})
-            addPost(mesh, shape, site.at(along, side * (headHalf + 0.03f)),
-                    site.deck + random.range(0.35f, 0.5f), 0.12f, random);
+            addPost(mesh, shape, site.at(along, side * (headHalf + 0.03f)), site.deck + random.range(0.35f, 0.5f),
+                    0.12f, random);
         addBeam(mesh, lift(site.at(along + 0.15f, -headHalf - 0.1f), under - 0.14f),
                 lift(site.at(along + 0.15f, headHalf + 0.1f), under - 0.14f), 0.13f, 0.08f, 0.5f, random);
     }

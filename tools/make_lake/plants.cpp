@@ -28,8 +28,7 @@ void addCard(Mesh& mesh, const Card& card)
             const float across = real(2 * k - 1);
             corners[static_cast<std::size_t>(k)] = mesh.add(
                 middle + 0.5f * card.width * across * side, card.normal + 0.3f * across * side,
-                {mix(card.uvLower.x, card.uvUpper.x, real(k)), mix(card.uvLower.y, card.uvUpper.y, t)},
-                colour);
+                {mix(card.uvLower.x, card.uvUpper.x, real(k)), mix(card.uvLower.y, card.uvUpper.y, t)}, colour);
         }
         rows.push_back(corners);
     }
@@ -48,8 +47,7 @@ Mesh makeReeds(const LakeShape& shape, const std::vector<View>& views, Random ra
     for (int tries = 0; tries < 40000 && clumps < 420; ++tries) {
         const vec2 p(random.range(-72.0f, 68.0f), random.range(-55.0f, 50.0f));
         const Ground ground = shape.at(p);
-        if (ground.height > 0.12f || ground.height < -0.95f || glm::length(p - islandCentre) < 20.0f)
-            continue;
+        if (ground.height > 0.12f || ground.height < -0.95f || glm::length(p - islandCentre) < 20.0f) continue;
         const float west = smoothStep(-38.0f, -50.0f, p.x), patch = noise.fractal(p / 8.0f, 2);
         const float wanted = (0.9f * west + 0.28f) * smoothStep(0.05f, 0.35f, patch + 0.45f * west) *
                              (1.0f - 0.8f * ground.kind.beach * (1.0f - west));
@@ -58,8 +56,7 @@ Mesh makeReeds(const LakeShape& shape, const std::vector<View>& views, Random ra
         const float tone = random.range(0.7f, 1.0f), first = random.angle();
         for (int k = 0; k < 3; ++k) {
             Card card;
-            card.foot =
-                shape.onGround(p + 0.18f * vec2(random.sign(), random.sign())) - vec3(0.0f, 0.04f, 0.0f);
+            card.foot = shape.onGround(p + 0.18f * vec2(random.sign(), random.sign())) - vec3(0.0f, 0.04f, 0.0f);
             card.turn = first + pi / 3.0f * real(k);
             card.width = height * random.range(0.5f, 0.65f);
             card.height = height * random.range(0.85f, 1.05f);
@@ -90,8 +87,7 @@ Mesh makeGrass(const LakeShape& shape, const std::vector<View>& views, Random ra
         const vec2 p = foreground ? eye + reach * (ahead + 1.0f * random.sign() * vec2(-ahead.y, ahead.x))
                                   : vec2(random.range(-85.0f, 80.0f), random.range(-62.0f, 62.0f));
         const Ground ground = shape.at(p);
-        if (ground.height < 0.14f + 0.75f * ground.kind.beach || (ground.shore > 15.0f && !foreground))
-            continue;
+        if (ground.height < 0.14f + 0.75f * ground.kind.beach || (ground.shore > 15.0f && !foreground)) continue;
         const float patch = noise.fractal(p / 4.0f, 3);
         const float sandy = ground.kind.beach * smoothStep(0.95f, 0.55f, ground.height);
         const float wanted = smoothStep(-0.25f, 0.4f, patch) * (1.0f - 0.97f * sandy) *
@@ -149,8 +145,7 @@ Mesh makeWeed(const LakeShape& shape, const std::vector<View>& views, Random ran
     return mesh;
 }
 
-Mesh makeForest(const LakeShape& shape, const Impostors& impostors, const std::vector<View>& views,
-                Random random)
+Mesh makeForest(const LakeShape& shape, const Impostors& impostors, const std::vector<View>& views, Random random)
 {
     const Noise noise(random.next());
     Mesh mesh;
@@ -162,16 +157,14 @@ Mesh makeForest(const LakeShape& shape, const Impostors& impostors, const std::v
         const Ground ground = shape.at(p);
         if (ground.shore < 34.0f) continue;
         const float patch = noise.fractal(p / 55.0f, 3);
-        if (random.unit() >
-                smoothStep(-0.5f, -0.05f, patch + 0.4f * smoothStep(60.0f, 110.0f, ground.shore)) ||
+        if (random.unit() > smoothStep(-0.5f, -0.05f, patch + 0.4f * smoothStep(60.0f, 110.0f, ground.shore)) ||
             blocksView(views, p, 4.0f))
             continue;
-        const bool broad = noise.fractal(p / 30.0f + 9.0f, 2) + 0.5f * random.sign() >
-                           0.3f + 0.012f * (ground.height - 14.0f);
+        const bool broad =
+            noise.fractal(p / 30.0f + 9.0f, 2) + 0.5f * random.sign() > 0.3f + 0.012f * (ground.height - 14.0f);
         const std::size_t cell = static_cast<std::size_t>(random.index(4)) + (broad ? 4u : 0u);
         const Impostors::Cell& picture = impostors.cells[cell];
-        const float scale = random.range(0.8f, 1.3f), tone = random.range(0.72f, 1.0f),
-                    first = random.angle();
+        const float scale = random.range(0.8f, 1.3f), tone = random.range(0.72f, 1.0f), first = random.angle();
         for (int k = 0; k < 2; ++k) {
             Card card;
             card.foot = shape.onGround(p) - vec3(0.0f, 0.3f, 0.0f);

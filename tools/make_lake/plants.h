@@ -11,7 +11,6 @@ namespace tarn::lake {
 Mesh makeReeds(const LakeShape& shape, const std::vector<View>& views, Random random);
 Mesh makeGrass(const LakeShape& shape, const std::vector<View>& views, Random random);
 Mesh makeWeed(const LakeShape& shape, const std::vector<View>& views, Random random);
-Mesh makeForest(const LakeShape& shape, const Impostors& impostors, const std::vector<View>& views,
-                Random random);
+Mesh makeForest(const LakeShape& shape, const Impostors& impostors, const std::vector<View>& views, Random random);
 
 } // namespace tarn::lake

@@ -142,8 +142,7 @@ Refinement Refinement::times(int scale) { return {std::countr_zero(static_cast<u
 Mesh refined(const Mesh& mesh, Refinement refinement, float roughness, const std::function<vec3(const vec3&)>& settle)
 {
     Mesh fine = mesh;
-    for (int level = 0; level < refinement.levels; ++level)
-        fine = Refiner(fine, roughness, settle).run();
+    for (int level = 0; level < refinement.levels; ++level) fine = Refiner(fine, roughness, settle).run();
     for (vec3& normal : fine.normals) normal /= std::max(glm::length(normal), 1e-6f);
     return fine;
 }

@@ -7,10 +7,8 @@ namespace {
 vec3 rockColour(const Noise& noise, const vec3& p, const vec3& normal, float ground, float moss)
 {
     const float mottle = noise.fractal(p * 0.9f, 3);
-    vec3 colour =
-        mix(vec3(0.125f, 0.118f, 0.108f), vec3(0.225f, 0.21f, 0.19f), saturate(0.5f + 1.2f * mottle));
-    const float grown =
-        moss * smoothStep(0.35f, 0.8f, normal.y + 0.6f * mottle) * smoothStep(0.35f, 0.7f, p.y);
+    vec3 colour = mix(vec3(0.125f, 0.118f, 0.108f), vec3(0.225f, 0.21f, 0.19f), saturate(0.5f + 1.2f * mottle));
+    const float grown = moss * smoothStep(0.35f, 0.8f, normal.y + 0.6f * mottle) * smoothStep(0.35f, 0.7f, p.y);
     colour = mix(colour, vec3(0.075f, 0.095f, 0.03f), 0.85f * grown);
     // The band that waves keep wet, and what grows on it below.
     const float wet = smoothStep(0.24f, 0.06f, p.y + 0.08f * mottle);
@@ -23,12 +21,10 @@ vec3 rockColour(const Noise& noise, const vec3& p, const vec3& normal, float gro
 
 /// A lump: a sphere cut by random planes (which gives it faces and edges) and roughened.
 /// Small `cut` leaves little of the sphere: 0.5 gives a block, 0.7 a boulder.
-std::vector<vec3> lump(const IcoSphere& sphere, const Noise& noise, Random& random, float roughness,
-                       float cut)
+std::vector<vec3> lump(const IcoSphere& sphere, const Noise& noise, Random& random, float roughness, float cut)
 {
     std::array<vec4, 11> planes;
-    for (vec4& plane : planes)
-        plane = vec4(random.direction(), random.range(cut, cut + 0.26f));
+    for (vec4& plane : planes) plane = vec4(random.direction(), random.range(cut, cut + 0.26f));
     const vec3 shift = 40.0f * random.direction();
     std::vector<vec3> positions;
     for (vec3 p : sphere.positions) {
@@ -36,8 +32,7 @@ std::vector<vec3> lump(const IcoSphere& sphere, const Noise& noise, Random& rand
             const float over = glm::dot(p, vec3(plane)) - plane.w;
             if (over > 0.0f) p -= 0.96f * over * vec3(plane);
         }
-        const float rough =
-            noise.fractal(1.6f * p + shift, 3) + 0.5f * noise.ridges(3.0f * p + shift, 2) - 0.25f;
+        const float rough = noise.fractal(1.6f * p + shift, 3) + 0.5f * noise.ridges(3.0f * p + shift, 2) - 0.25f;
         positions.push_back(p * (1.0f + roughness * rough));
     }
     return positions;
@@ -47,8 +42,7 @@ void addLump(Mesh& mesh, const IcoSphere& sphere, std::vector<vec3> local, const
              const std::function<vec3(const vec3&, const vec3&)>& colour, float tilesPerMetre)
 {
     const mat4 world = placed(boulder.centre, boulder.turn) * glm::scale(mat4(1.0f), boulder.radii);
-    for (vec3& p : local)
-        p = vec3(world * vec4(p, 1.0f));
+    for (vec3& p : local) p = vec3(world * vec4(p, 1.0f));
     const std::vector<vec3> normals = smoothNormals(local, sphere.triangles);
     std::vector<int> positions;
     for (std::size_t i = 0; i < local.size(); ++i)
@@ -75,10 +69,8 @@ void placeCrags(const LakeShape& shape, std::vector<Boulder>& boulders, Random& 
         const vec2 inland = glm::normalize(foot - vec2(-2.0f, -20.0f));
         const vec2 p = foot + random.range(0.4f, 3.6f) * inland;
         const float size = random.range(1.3f, 2.5f);
-        const vec3 radii =
-            size * vec3(random.range(0.7f, 1.1f), random.range(0.9f, 1.5f), random.range(0.7f, 1.1f));
-        boulders.push_back(
-            {shape.onGround(p) + vec3(0.0f, -0.25f * radii.y, 0.0f), radii, random.angle(), 2, true});
+        const vec3 radii = size * vec3(random.range(0.7f, 1.1f), random.range(0.9f, 1.5f), random.range(0.7f, 1.1f));
+        boulders.push_back({shape.onGround(p) + vec3(0.0f, -0.25f * radii.y, 0.0f), radii, random.angle(), 2, true});
     }
 }
 
@@ -90,8 +82,8 @@ std::vector<Boulder> placeBoulders(const LakeShape& shape, const std::vector<Vie
     const auto put = [&](vec2 p, float radius, float sink, int levels) {
         const float flat = random.range(0.62f, 0.85f);
         const vec3 radii = radius * vec3(random.range(0.85f, 1.15f), flat, random.range(0.8f, 1.1f));
-        boulders.push_back({shape.onGround(p) + vec3(0.0f, radii.y * (1.0f - 2.0f * sink), 0.0f), radii,
-                            random.angle(), levels});
+        boulders.push_back(
+            {shape.onGround(p) + vec3(0.0f, radii.y * (1.0f - 2.0f * sink), 0.0f), radii, random.angle(), levels});
     };
     // By hand: off the beach, round the island, at the foot of the cliff.
     const vec2 beach = shape.shoreAlong({0.0f, 15.0f}, 100.0f);
@@ -99,15 +91,14 @@ std::vector<Boulder> placeBoulders(const LakeShape& shape, const std::vector<Vie
     put(beach + vec2(-7.4f, -1.1f), 0.62f, 0.3f, 3);
     put(beach + vec2(-4.3f, -3.6f), 0.5f, 0.35f, 2);
     put(beach + vec2(6.2f, -4.6f), 0.8f, 0.3f, 3);
-    for (const vec2 p : {vec2(7.6f, 3.4f), vec2(9.4f, 1.2f), vec2(5.0f, 6.2f), vec2(11.6f, 5.4f),
-                         vec2(2.0f, 4.4f), vec2(8.6f, 7.2f)})
+    for (const vec2 p :
+         {vec2(7.6f, 3.4f), vec2(9.4f, 1.2f), vec2(5.0f, 6.2f), vec2(11.6f, 5.4f), vec2(2.0f, 4.4f), vec2(8.6f, 7.2f)})
         put(p, random.range(0.6f, 1.5f), 0.3f, 2); // on the slope down to the deep
     for (int k = 0; k < 11; ++k) {
         const float turn = 360.0f * real(k) / 11.0f + 9.0f * random.sign();
         const vec2 out(std::cos(glm::radians(turn)), std::sin(glm::radians(turn)));
         vec2 p = islandCentre;
-        while (shape.height(p) > 0.0f && glm::length(p - islandCentre) < 30.0f)
-            p += 0.1f * out;
+        while (shape.height(p) > 0.0f && glm::length(p - islandCentre) < 30.0f) p += 0.1f * out;
         put(p + random.range(-0.4f, 0.9f) * out, random.range(0.45f, 1.35f), 0.3f, 2);
     }
     placeCrags(shape, boulders, random);
@@ -120,8 +111,7 @@ std::vector<Boulder> placeBoulders(const LakeShape& shape, const std::vector<Vie
         const float radius = random.range(0.35f, 0.9f) + 1.2f * cliff * random.unit() * random.unit();
         bool free = !blocksView(views, p, radius, Growth::low);
         for (const Boulder& other : boulders)
-            free = free &&
-                   glm::length(vec2(other.centre.x, other.centre.z) - p) > 0.8f * (other.radii.x + radius);
+            free = free && glm::length(vec2(other.centre.x, other.centre.z) - p) > 0.8f * (other.radii.x + radius);
         if (free) put(p, radius, random.range(0.25f, 0.4f), radius > 0.75f ? 2 : 1);
     }
     return boulders;
@@ -140,8 +130,7 @@ Mesh makeBoulders(const std::vector<Boulder>& boulders, const LakeShape& shape, 
         const auto colour = [&](const vec3& p, const vec3& n) {
             return rockColour(noise, p, n, shape.height({p.x, p.z}), moss);
         };
-        addLump(mesh, sphere,
-                lump(sphere, noise, random, boulder.crag ? 0.10f : 0.14f, boulder.crag ? 0.46f : 0.62f),
+        addLump(mesh, sphere, lump(sphere, noise, random, boulder.crag ? 0.10f : 0.14f, boulder.crag ? 0.46f : 0.62f),
                 boulder, colour, 1.0f / 2.2f);
     }
     return mesh;
@@ -162,22 +151,19 @@ Mesh makeStones(const LakeShape& shape, Random random)
                             : vec2(random.range(-66.0f, 62.0f), random.range(-48.0f, 44.0f));
         const Ground ground = shape.at(p);
         const float patch = noise.fractal(p / 6.0f, 2);
-        if (ground.shore > 1.6f || ground.shore < -22.0f || (!near && patch < random.range(-0.3f, 0.5f)))
-            continue;
+        if (ground.shore > 1.6f || ground.shore < -22.0f || (!near && patch < random.range(-0.3f, 0.5f))) continue;
         if (random.unit() > std::exp(0.11f * std::min(0.0f, ground.shore))) continue;
         const float size = 0.045f + 0.21f * std::pow(random.unit(), 3.0f);
         const std::size_t level = size > 0.145f ? 1 : 0;
-        const vec3 radii =
-            size * vec3(random.range(0.9f, 1.3f), random.range(0.5f, 0.75f), random.range(0.8f, 1.1f));
+        const vec3 radii = size * vec3(random.range(0.9f, 1.3f), random.range(0.5f, 0.75f), random.range(0.8f, 1.1f));
         const Boulder stone{shape.onGround(p) + vec3(0.0f, 0.35f * radii.y, 0.0f), radii, random.angle(), 1};
-        const vec3 tone = random.range(0.7f, 1.25f) *
-                          mix(vec3(0.20f, 0.195f, 0.185f), vec3(0.27f, 0.225f, 0.17f), random.unit());
+        const vec3 tone =
+            random.range(0.7f, 1.25f) * mix(vec3(0.20f, 0.195f, 0.185f), vec3(0.27f, 0.225f, 0.17f), random.unit());
         const auto colour = [&](const vec3& q, const vec3& n) {
             const float wet = q.y < 0.1f ? 0.75f : 1.0f;
             return tone * (wet * (0.45f + 0.55f * smoothStep(-0.6f, 0.5f, n.y)) / 0.5f);
         };
-        addLump(mesh, spheres[level], lump(spheres[level], noise, random, 0.12f, 0.66f), stone, colour,
-                1.0f / 1.1f);
+        addLump(mesh, spheres[level], lump(spheres[level], noise, random, 0.12f, 0.66f), stone, colour, 1.0f / 1.1f);
         ++count;
     }
     return mesh;
@@ -191,11 +177,10 @@ Mesh makeSunkenTrunk(const LakeShape& shape, Random random)
     std::vector<TubeRing> rings;
     for (int k = 0; k <= 16; ++k) {
         const float t = real(k) / 16.0f, radius = 0.30f - 0.17f * t;
-        const vec2 p =
-            foot + t * (top - foot) + vec2(0.25f * std::sin(5.0f * t), 0.3f * std::sin(4.0f * t + 1.0f));
+        const vec2 p = foot + t * (top - foot) + vec2(0.25f * std::sin(5.0f * t), 0.3f * std::sin(4.0f * t + 1.0f));
         const float lie = std::max(shape.height(p), mix(shape.height(foot), shape.height(top), t) - 0.25f);
-        rings.push_back({{p.x, lie + 0.8f * radius + 0.12f * t, p.y},
-                         radius * (k == 0 ? 1.5f : (k == 1 ? 1.15f : 1.0f))});
+        rings.push_back(
+            {{p.x, lie + 0.8f * radius + 0.12f * t, p.y}, radius * (k == 0 ? 1.5f : (k == 1 ? 1.15f : 1.0f))});
     }
     TubeStyle style{.sides = 10, .uvRound = 1.0f, .uvPerMetre = 0.5f};
     style.colour = [&](const vec3& p) {

@@ -33,8 +33,7 @@ void Rtin::mark(const Split& split)
             c = middle;
         }
         const ivec2 middle = (a + b) / 2;
-        const float error =
-            std::abs(0.5f * (height_(a.x, a.y) + height_(b.x, b.y)) - height_(middle.x, middle.y));
+        const float error = std::abs(0.5f * (height_(a.x, a.y) + height_(b.x, b.y)) - height_(middle.x, middle.y));
         const ivec2 side = c - a;
         const float leg = std::sqrt(static_cast<float>(side.x * side.x + side.y * side.y));
         char& wanted = wanted_[index(middle)];

@@ -27,8 +27,7 @@ private:
     void emit(ivec2 a, ivec2 b, ivec2 c, std::vector<std::array<ivec2, 3>>& triangles) const;
     std::size_t index(ivec2 p) const
     {
-        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(cells_ + 1) +
-               static_cast<std::size_t>(p.x);
+        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(cells_ + 1) + static_cast<std::size_t>(p.x);
     }
 
     int cells_;

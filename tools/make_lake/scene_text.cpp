@@ -96,14 +96,11 @@ std::string sceneText(const SceneParts& parts, Random random)
     const auto model = [&](const std::string& name) {
         fmt::format_to(std::back_inserter(text), "\n[[models]]\nname = \"{0}\"\nfile = \"{0}.obj\"\n", name);
     };
-    for (const std::string& name : parts.placedModels)
-        model(name);
+    for (const std::string& name : parts.placedModels) model(name);
     model("boat");
-    for (const Species& species : *parts.species)
-        model(species.name);
+    for (const Species& species : *parts.species) model(species.name);
 
-    for (const std::string& name : parts.placedModels)
-        appendElement(text, name, name);
+    for (const std::string& name : parts.placedModels) appendElement(text, name, name);
     appendElement(text, "boat", "boat");
     appendPlace(text, vec3(parts.worldFromBoat[3]), parts.boatTurn, 1.0f);
     int number = 0;
@@ -113,10 +110,9 @@ std::string sceneText(const SceneParts& parts, Random random)
         appendPlace(text, tree.foot, tree.turn, tree.scale);
     }
     for (const View& view : *parts.views)
-        fmt::format_to(
-            std::back_inserter(text),
-            "\n[[cameras]]\nname = \"{}\"\neye = {}\ntarget = {}\nfov = {:.1f}\nnear = 0.1\nfar = 1300.0\n",
-            view.name, point(view.eye), point(view.target), view.fov);
+        fmt::format_to(std::back_inserter(text),
+                       "\n[[cameras]]\nname = \"{}\"\neye = {}\ntarget = {}\nfov = {:.1f}\nnear = 0.1\nfar = 1300.0\n",
+                       view.name, point(view.eye), point(view.target), view.fov);
     return text;
 }
 

@@ -14,8 +14,7 @@ constexpr float edge = 2.0f * textureSize;
 vec2 towards(float turn) { return {std::cos(turn), std::sin(turn)}; }
 
 /// A pointed leaf from its stalk along `turn`, lighter along the midrib and edges, folded a little.
-void drawLeaf(Canvas& canvas, vec2 stalk, float turn, float length, float width, const vec3& colour,
-              float light)
+void drawLeaf(Canvas& canvas, vec2 stalk, float turn, float length, float width, const vec3& colour, float light)
 {
     const vec2 axis = towards(turn);
     const vec2 centre = stalk + 0.5f * length * axis;
@@ -25,8 +24,7 @@ void drawLeaf(Canvas& canvas, vec2 stalk, float turn, float length, float width,
         [&](vec2 d) {
             const vec2 q = local(d);
             const float t = saturate(q.x / length + 0.5f);
-            const float half =
-                0.5f * width * std::pow(std::max(0.0f, std::sin(pi * std::pow(t, 0.8f))), 0.85f);
+            const float half = 0.5f * width * std::pow(std::max(0.0f, std::sin(pi * std::pow(t, 0.8f))), 0.85f);
             return std::min(half - std::abs(q.y), 0.5f * length - std::abs(q.x));
         },
         [&](vec2 d) {
@@ -73,11 +71,9 @@ Canvas drawLeaves(std::uint32_t seed)
         const float light = 0.50f + 0.28f * real(layer);
         constexpr int sprays = 6;
         for (int i = 0; i < sprays; ++i) {
-            const float turn =
-                2.0f * pi * (real(i) + 0.33f * real(layer) + 0.5f * random.unit()) / real(sprays);
+            const float turn = 2.0f * pi * (real(i) + 0.33f * real(layer) + 0.5f * random.unit()) / real(sprays);
             const vec2 start = vec2(0.5f * edge) + 0.012f * edge * towards(turn);
-            const auto twig =
-                growTwig(random, start, turn, edge * random.range(0.26f, 0.40f), 0.7f * random.sign());
+            const auto twig = growTwig(random, start, turn, edge * random.range(0.26f, 0.40f), 0.7f * random.sign());
             for (std::size_t k = 0; k + 1 < twig.size(); ++k)
                 canvas.stroke(twig[k], twig[k + 1], 5.0f, 4.0f, vec3(0.075f, 0.055f, 0.035f));
             for (std::size_t k = 1; k + 1 < twig.size(); k += 2) {
@@ -121,8 +117,8 @@ Canvas drawSpruceBranch(std::uint32_t seed)
         for (int i = 0; i < 2 * pairs; ++i) {
             const float t = 0.02f + 0.95f * (real(i / 2) + 0.7f * random.unit()) / real(pairs);
             const float side = i % 2 == 0 ? 1.0f : -1.0f;
-            const float reach = edge * (0.56f * std::pow(1.0f - t, 0.85f) + 0.035f) *
-                                random.range(0.82f, 1.04f) * smoothStep(-0.14f, 0.1f, t);
+            const float reach = edge * (0.56f * std::pow(1.0f - t, 0.85f) + 0.035f) * random.range(0.82f, 1.04f) *
+                                smoothStep(-0.14f, 0.1f, t);
             const vec2 start = mix(0.0f, 1.0f, t) * (tip - base) + base;
             float turn = -0.5f * pi + side * random.range(0.85f, 1.12f);
             const int steps = std::max(2, static_cast<int>(reach / 90.0f));
@@ -138,8 +134,8 @@ Canvas drawSpruceBranch(std::uint32_t seed)
                 drawNeedles(canvas, random, a, b, 46.0f, green * (1.0f + 0.5f * real(k) / real(steps)));
                 if (k > 0 && k + 1 < steps)
                     for (const float twist : {-1.0f, 1.0f}) {
-                        const vec2 end = a + 0.21f * reach * (1.0f - 0.6f * real(k) / real(steps)) *
-                                                 towards(turn + twist * 0.75f);
+                        const vec2 end =
+                            a + 0.21f * reach * (1.0f - 0.6f * real(k) / real(steps)) * towards(turn + twist * 0.75f);
                         drawNeedles(canvas, random, a, end, 36.0f, green * 0.95f);
                     }
                 a = b;
@@ -182,8 +178,8 @@ Canvas drawReeds(std::uint32_t seed)
         const vec3 high = tone * mix(vec3(0.13f, 0.20f, 0.05f), vec3(0.30f, 0.24f, 0.12f), dry);
         const vec3 low = tone * mix(vec3(0.10f, 0.12f, 0.045f), vec3(0.20f, 0.16f, 0.09f), dry);
         const float lean = 0.10f * random.sign(), bend = 0.14f * random.sign();
-        drawBlade(canvas, root, height, lean, plumed ? 0.3f * bend : bend,
-                  plumed ? 17.0f : random.range(24.0f, 40.0f), low, high);
+        drawBlade(canvas, root, height, lean, plumed ? 0.3f * bend : bend, plumed ? 17.0f : random.range(24.0f, 40.0f),
+                  low, high);
         if (!plumed) continue;
         const vec2 top(root.x + height * (lean + 0.3f * bend), root.y - height);
         for (int k = 0; k < 150; ++k) {
@@ -209,8 +205,7 @@ Canvas drawBlades(std::uint32_t seed)
         const float height = edge * random.range(0.35f, 0.9f) * (1.0f - 0.6f * std::abs(across - 0.5f));
         const float dry = random.unit() < 0.12f ? 1.0f : 0.3f * random.unit();
         const vec3 high = tone * mix(vec3(0.110f, 0.150f, 0.036f), vec3(0.27f, 0.22f, 0.11f), dry);
-        drawBlade(canvas, root, height, 0.5f * spread, 0.9f * spread, random.range(26.0f, 44.0f),
-                  0.45f * high, high);
+        drawBlade(canvas, root, height, 0.5f * spread, 0.9f * spread, random.range(26.0f, 44.0f), 0.45f * high, high);
     }
     return canvas.halved();
 }
@@ -220,8 +215,7 @@ Canvas drawBlades(std::uint32_t seed)
 FoliageTextures drawFoliage(std::uint32_t seed)
 {
     FoliageTextures textures{drawLeaves(seed), drawSpruceBranch(seed), drawReeds(seed), drawBlades(seed)};
-    for (Canvas* canvas : {&textures.leaves, &textures.needles, &textures.reeds, &textures.blades})
-        canvas->bleed();
+    for (Canvas* canvas : {&textures.leaves, &textures.needles, &textures.reeds, &textures.blades}) canvas->bleed();
     return textures;
 }
 

@@ -26,10 +26,7 @@ struct Sand {
         const float phase = 2.0f * pi * (26.0f * uv.y + warp);
         return 0.5f + 0.5f * std::sin(phase + 0.5f * std::sin(phase));
     }
-    float rippling(vec2 uv) const
-    {
-        return smoothStep(-0.5f, 0.5f, noise.fractal(uv * 4.0f + 0.5f, 2, ivec2(4)));
-    }
+    float rippling(vec2 uv) const { return smoothStep(-0.5f, 0.5f, noise.fractal(uv * 4.0f + 0.5f, 2, ivec2(4))); }
     float grain(vec2 uv) const { return noise.fractal(uv * 256.0f, 2, ivec2(256)); }
     static constexpr float rare = 0.90f;
     Cell pebble(vec2 uv) const { return noise.cell(uv * 40.0f, ivec2(40)); }
@@ -48,8 +45,7 @@ struct Sand {
         const float tone = 0.95f + 0.20f * grain(uv) + 0.16f * noise.fractal(uv * 6.0f, 4, ivec2(6));
         const float litter = rippling(uv) * smoothStep(0.35f, 0.0f, ripple(uv));
         vec3 sand = tone * mix(vec3(1.0f), vec3(0.74f, 0.70f, 0.66f), litter);
-        const float speck =
-            hashUnit(static_cast<int>(uv.x * 512.0f), static_cast<int>(uv.y * 512.0f), 5, 77u);
+        const float speck = hashUnit(static_cast<int>(uv.x * 512.0f), static_cast<int>(uv.y * 512.0f), 5, 77u);
         if (speck > 0.985f) sand *= 0.62f;
         const Cell cell = pebble(uv);
         const float stones = pebbleHeight(cell);
@@ -66,18 +62,15 @@ struct Pebbles {
 
     float height(vec2 uv) const
     {
-        const vec2 warped =
-            uv + 0.012f * vec2(noise.at(uv * 20.0f, ivec2(20)), noise.at(uv * 20.0f + 0.3f, ivec2(20)));
+        const vec2 warped = uv + 0.012f * vec2(noise.at(uv * 20.0f, ivec2(20)), noise.at(uv * 20.0f + 0.3f, ivec2(20)));
         const float large = stone(noise.cell(warped * 18.0f, ivec2(18)), 0.62f);
         const float small = stone(noise.cell(warped * 52.0f + 0.5f, ivec2(52)), 0.6f);
         return std::max(large, 0.42f * small) + 0.05f * noise.fractal(uv * 128.0f, 2, ivec2(128));
     }
     vec3 colour(vec2 uv) const
     {
-        const vec2 warped =
-            uv + 0.012f * vec2(noise.at(uv * 20.0f, ivec2(20)), noise.at(uv * 20.0f + 0.3f, ivec2(20)));
-        const Cell big = noise.cell(warped * 18.0f, ivec2(18)),
-                   fine = noise.cell(warped * 52.0f + 0.5f, ivec2(52));
+        const vec2 warped = uv + 0.012f * vec2(noise.at(uv * 20.0f, ivec2(20)), noise.at(uv * 20.0f + 0.3f, ivec2(20)));
+        const Cell big = noise.cell(warped * 18.0f, ivec2(18)), fine = noise.cell(warped * 52.0f + 0.5f, ivec2(52));
         const float large = stone(big, 0.62f), small = 0.42f * stone(fine, 0.6f);
         const float id = large >= small ? big.id : fine.id;
         const vec3 rock = mix(vec3(0.50f, 0.49f, 0.47f), vec3(1.1f, 0.95f, 0.78f), id * id);
@@ -95,8 +88,7 @@ struct Rock {
 
     vec2 warped(vec2 uv) const
     {
-        return uv + 0.09f * vec2(noise.fractal(uv * 5.0f, 4, ivec2(5)),
-                                 noise.fractal(uv * 5.0f + 0.37f, 4, ivec2(5)));
+        return uv + 0.09f * vec2(noise.fractal(uv * 5.0f, 4, ivec2(5)), noise.fractal(uv * 5.0f + 0.37f, 4, ivec2(5)));
     }
     /// 1, falling to 0 in a joint between blocks; joints close up here and there.
     float joint(vec2 uv) const
@@ -135,8 +127,7 @@ Canvas grass(std::uint32_t seed)
         const vec2 root(random.unit() * textureSize, random.unit() * textureSize);
         const float turn = random.angle(), length = random.range(12.0f, 34.0f);
         const vec2 tip = root + length * vec2(std::cos(turn), std::sin(turn));
-        const vec2 middle =
-            0.5f * (root + tip) + random.range(-4.0f, 4.0f) * vec2(-std::sin(turn), std::cos(turn));
+        const vec2 middle = 0.5f * (root + tip) + random.range(-4.0f, 4.0f) * vec2(-std::sin(turn), std::cos(turn));
         const float age = real(i) / 34000.0f, tone = 0.28f + 0.75f * age * random.range(0.6f, 1.1f);
         const float dry = random.unit() < 0.09f ? 1.0f : random.range(0.0f, 0.35f);
         const vec3 colour = tone * mix(vec3(0.90f, 1.04f, 0.80f), vec3(1.35f, 1.12f, 0.95f), dry);
@@ -152,8 +143,7 @@ Canvas forestFloor(std::uint32_t seed)
     Random random(seed, 12);
     Canvas canvas;
     canvas.fill([&](vec2 uv) {
-        return opaque((0.5f + 0.3f * noise.fractal(uv * 16.0f, 5, ivec2(16), 0.6f)) *
-                      vec3(1.0f, 0.92f, 0.85f));
+        return opaque((0.5f + 0.3f * noise.fractal(uv * 16.0f, 5, ivec2(16), 0.6f)) * vec3(1.0f, 0.92f, 0.85f));
     });
     for (int i = 0; i < 900; ++i) { // fallen leaves
         const vec2 centre(random.unit() * textureSize, random.unit() * textureSize);
@@ -173,8 +163,8 @@ Canvas forestFloor(std::uint32_t seed)
     for (int i = 0; i < 22000; ++i) { // needles
         const vec2 root(random.unit() * textureSize, random.unit() * textureSize);
         const float turn = random.angle(), length = random.range(7.0f, 15.0f);
-        const vec3 colour = random.range(0.35f, 1.05f) *
-                            mix(vec3(1.15f, 0.92f, 0.72f), vec3(0.8f, 0.85f, 0.7f), random.unit());
+        const vec3 colour =
+            random.range(0.35f, 1.05f) * mix(vec3(1.15f, 0.92f, 0.72f), vec3(0.8f, 0.85f, 0.7f), random.unit());
         canvas.stroke(root, root + length * vec2(std::cos(turn), std::sin(turn)), 0.9f, 0.5f, colour);
     }
     for (int i = 0; i < 60; ++i) { // twigs
@@ -191,15 +181,13 @@ Canvas forestFloor(std::uint32_t seed)
 }
 
 template <typename Pattern>
-void writePattern(const std::filesystem::path& folder, const std::string& name, const Pattern& pattern,
-                  float strength)
+void writePattern(const std::filesystem::path& folder, const std::string& name, const Pattern& pattern, float strength)
 {
     Canvas colour;
     colour.fill([&](vec2 uv) { return opaque(pattern.colour(uv)); });
     setMean(colour, vec3(neutralMean));
     writeJpeg(folder / (name + ".jpg"), colour);
-    writeJpegData(folder / (name + "_normal.jpg"),
-                  normalMap([&](vec2 uv) { return pattern.height(uv); }, strength));
+    writeJpegData(folder / (name + "_normal.jpg"), normalMap([&](vec2 uv) { return pattern.height(uv); }, strength));
 }
 
 } // namespace
@@ -218,14 +206,14 @@ void writeGroundTextures(const std::filesystem::path& folder, std::uint32_t seed
     setMean(floor, vec3(neutralMean));
     writeJpeg(folder / "forest.jpg", floor);
     const Noise lumps(seed + 6);
-    writeJpegData(folder / "forest_normal.jpg",
-                  normalMap(
-                      [&](vec2 uv) {
-                          const int x = static_cast<int>(uv.x * textureSize);
-                          const int y = static_cast<int>((1.0f - uv.y) * textureSize);
-                          return 0.7f * lumps.fractal(uv * 12.0f, 4, ivec2(12)) + 0.5f * floor.at(x, y).y;
-                      },
-                      5.0f));
+    writeJpegData(folder / "forest_normal.jpg", normalMap(
+                                                    [&](vec2 uv) {
+                                                        const int x = static_cast<int>(uv.x * textureSize);
+                                                        const int y = static_cast<int>((1.0f - uv.y) * textureSize);
+                                                        return 0.7f * lumps.fractal(uv * 12.0f, 4, ivec2(12)) +
+                                                               0.5f * floor.at(x, y).y;
+                                                    },
+                                                    5.0f));
 }
 
 } // namespace tarn::lake

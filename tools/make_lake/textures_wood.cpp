@@ -23,8 +23,7 @@ struct Bark {
     {
         const float h = height(uv);
         const float lichen = smoothStep(0.1f, 0.5f, noise.fractal(uv * 5.0f + 0.3f, 4, ivec2(5)));
-        const vec3 wood =
-            mix(vec3(0.045f, 0.035f, 0.028f), vec3(0.23f, 0.185f, 0.145f), smoothStep(0.1f, 0.8f, h));
+        const vec3 wood = mix(vec3(0.045f, 0.035f, 0.028f), vec3(0.23f, 0.185f, 0.145f), smoothStep(0.1f, 0.8f, h));
         return mix(wood, vec3(0.19f, 0.20f, 0.145f), 0.45f * lichen * smoothStep(0.3f, 0.6f, h));
     }
 };
@@ -37,8 +36,7 @@ Canvas birch(std::uint32_t seed)
     canvas.fill([&](vec2 uv) {
         const float band = noise.fractal(uv * vec2(3.0f, 40.0f), 4, ivec2(3, 40));
         const float stain = smoothStep(0.15f, 0.5f, noise.fractal(uv * vec2(4.0f, 3.0f), 4, ivec2(4, 3)));
-        return opaque(
-            mix(vec3(0.60f, 0.57f, 0.51f) * (1.0f + 0.25f * band), vec3(0.34f, 0.30f, 0.25f), 0.6f * stain));
+        return opaque(mix(vec3(0.60f, 0.57f, 0.51f) * (1.0f + 0.25f * band), vec3(0.34f, 0.30f, 0.25f), 0.6f * stain));
     });
     for (int i = 0; i < 260; ++i) {
         const vec2 a(random.unit() * textureSize, random.unit() * textureSize);
@@ -85,8 +83,7 @@ struct Wood {
     {
         const float f = fibre(uv);
         const float grey = smoothStep(-0.4f, 0.4f, noise.fractal(uv * 4.0f, 3, ivec2(4)));
-        const vec3 base =
-            mix(vec3(0.40f, 0.31f, 0.22f), vec3(0.38f, 0.355f, 0.32f), grey) * (1.0f + 0.55f * f);
+        const vec3 base = mix(vec3(0.40f, 0.31f, 0.22f), vec3(0.38f, 0.355f, 0.32f), grey) * (1.0f + 0.55f * f);
         return mix(base, vec3(0.11f, 0.075f, 0.05f), std::max(0.75f * knot(uv), 0.85f * crack(uv)));
     }
 };
@@ -100,8 +97,7 @@ struct Paint {
     {
         const float brush = noise.fractal(uv * vec2(4.0f, 90.0f), 3, ivec2(4, 90));
         const float dirt = smoothStep(-0.1f, 0.6f, noise.fractal(uv * 6.0f, 5, ivec2(6), 0.6f));
-        const float chip =
-            smoothStep(0.40f, 0.46f, noise.fractal(uv * vec2(14.0f, 22.0f), 5, ivec2(14, 22), 0.6f));
+        const float chip = smoothStep(0.40f, 0.46f, noise.fractal(uv * vec2(14.0f, 22.0f), 5, ivec2(14, 22), 0.6f));
         const vec3 paint = vec3(0.80f) * (1.0f + 0.09f * brush) * (1.0f - 0.22f * dirt);
         return mix(paint, vec3(0.30f, 0.24f, 0.18f), chip);
     }

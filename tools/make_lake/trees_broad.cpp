@@ -19,8 +19,8 @@ struct Crown {
 };
 
 /// A square of leaves; `out` is the way it faces, more or less.
-void addCard(Mesh& mesh, const Crown& crown, const vec3& centre, const vec3& out, float size,
-             const vec3& tint, Random& random)
+void addCard(Mesh& mesh, const Crown& crown, const vec3& centre, const vec3& out, float size, const vec3& tint,
+             Random& random)
 {
     const vec3 facing = glm::normalize(out + 0.75f * random.direction());
     vec3 side = glm::cross(facing, std::abs(facing.y) > 0.95f ? vec3(1, 0, 0) : upward);
@@ -52,18 +52,15 @@ void addClump(Mesh& mesh, const Crown& crown, const Clump& clump, int cards, flo
     for (int k = 0; k < cards; ++k) {
         // Evenly round the clump, fewer underneath.
         const float y = 1.0f - 1.7f * (real(k) + 0.5f) / real(cards);
-        const float turn = 2.39996f * real(k) + random.angle() * 0.15f,
-                    r = std::sqrt(std::max(0.0f, 1.0f - y * y));
+        const float turn = 2.39996f * real(k) + random.angle() * 0.15f, r = std::sqrt(std::max(0.0f, 1.0f - y * y));
         const vec3 out(r * std::cos(turn), y, r * std::sin(turn));
-        addCard(mesh, crown,
-                clump.centre + random.range(0.45f, 1.1f) * clump.radius * out * vec3(1.0f, 0.8f, 1.0f), out,
-                size * random.range(0.8f, 1.2f), tone, random);
+        addCard(mesh, crown, clump.centre + random.range(0.45f, 1.1f) * clump.radius * out * vec3(1.0f, 0.8f, 1.0f),
+                out, size * random.range(0.8f, 1.2f), tone, random);
     }
 }
 
 /// A bent bar from a to b that sags or rises in the middle.
-void addLimb(Mesh& mesh, const vec3& a, const vec3& b, float radiusA, float radiusB, float bend, int sides,
-             float light)
+void addLimb(Mesh& mesh, const vec3& a, const vec3& b, float radiusA, float radiusB, float bend, int sides, float light)
 {
     std::vector<TubeRing> rings;
     for (const float t : {0.0f, 0.45f, 1.0f}) {
@@ -122,8 +119,7 @@ Mesh makeBroadleaf(const BroadShape& shape, Random random)
             const vec3 from = mix(start, end, t);
             const vec3 to =
                 from + 0.55f * reach *
-                           vec3(std::cos(swing), 0.35f - 2.0f * shape.droop + 0.25f * random.sign(),
-                                std::sin(swing));
+                           vec3(std::cos(swing), 0.35f - 2.0f * shape.droop + 0.25f * random.sign(), std::sin(swing));
             addLimb(mesh, from, to, 0.4f * radius, 0.12f * radius, 0.0f, 3, 0.5f);
             clumps.push_back({to, shape.clump * h * random.range(0.6f, 1.0f)});
         }
@@ -141,9 +137,9 @@ Mesh makeBush(float size, const vec3& tint, Random random)
     const Crown crown{{0.0f, 0.3f * size, 0.0f}, vec3(0.75f, 0.72f, 0.75f) * size};
     for (int k = 0; k < 5; ++k) {
         const float turn = 2.39996f * real(k) + 0.5f * random.sign(), reach = (k == 0 ? 0.0f : 0.42f) * size;
-        const Clump clump{{reach * std::cos(turn), size * random.range(0.3f, 0.5f) * (k == 0 ? 1.35f : 1.0f),
-                           reach * std::sin(turn)},
-                          0.42f * size};
+        const Clump clump{
+            {reach * std::cos(turn), size * random.range(0.3f, 0.5f) * (k == 0 ? 1.35f : 1.0f), reach * std::sin(turn)},
+            0.42f * size};
         addClump(mesh, crown, clump, 7, 0.72f * size, tint, random);
     }
     return mesh;

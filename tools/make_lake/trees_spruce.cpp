@@ -24,16 +24,15 @@ void addBranch(Mesh& mesh, const Branch& branch)
     std::vector<std::array<Corner, 3>> rows;
     for (int row = 0; row <= branch.rows; ++row) {
         const float t = real(row) / real(branch.rows);
-        const vec3 ridge = branch.foot + branch.length * (t * branch.outward +
-                                                          (branch.rise * t - branch.droop * t * t) * upward);
+        const vec3 ridge =
+            branch.foot + branch.length * (t * branch.outward + (branch.rise * t - branch.droop * t * t) * upward);
         const float light = branch.light * mix(0.34f, 1.0f, smoothStep(0.0f, 0.85f, t));
         std::array<Corner, 3> corners;
         for (int column = -1; column <= 1; ++column) {
             const float across = real(column);
             const vec3 position =
                 ridge + 0.5f * branch.width * (0.9f * across * side - std::abs(across) * 0.72f * upward);
-            const vec3 normal =
-                0.75f * branch.outward * (0.4f + 0.6f * t) + 0.55f * upward + 0.5f * across * side;
+            const vec3 normal = 0.75f * branch.outward * (0.4f + 0.6f * t) + 0.55f * upward + 0.5f * across * side;
             corners[static_cast<std::size_t>(column + 1)] =
                 mesh.add(position, normal, {0.5f + 0.5f * across, 0.02f + 0.97f * t},
                          vec3(light * (column == 0 ? 1.0f : 0.92f)));
@@ -42,8 +41,7 @@ void addBranch(Mesh& mesh, const Branch& branch)
     }
     for (std::size_t row = 0; row + 1 < rows.size(); ++row)
         for (std::size_t column = 0; column < 2; ++column)
-            mesh.quad(rows[row][column], rows[row][column + 1], rows[row + 1][column + 1],
-                      rows[row + 1][column]);
+            mesh.quad(rows[row][column], rows[row][column + 1], rows[row + 1][column + 1], rows[row + 1][column]);
 }
 
 void addLeader(Mesh& mesh, float height, float length)
@@ -69,8 +67,8 @@ void addTrunk(Mesh& mesh, const SpruceShape& shape, Random& random)
     std::vector<TubeRing> rings;
     for (const float t : {-0.03f, 0.0f, 0.03f, 0.2f, 0.5f, 0.97f}) {
         const float flare = t < 0.02f ? 1.35f : 1.0f;
-        rings.push_back({{lean.x * t * (1.0f - t), t * shape.height, lean.y * t * (1.0f - t)},
-                         foot * flare * (1.02f - t)});
+        rings.push_back(
+            {{lean.x * t * (1.0f - t), t * shape.height, lean.y * t * (1.0f - t)}, foot * flare * (1.02f - t)});
     }
     TubeStyle style{.sides = 7, .uvRound = 1.0f, .uvPerMetre = 0.6f, .capStart = false, .capEnd = false};
     style.colour = [&](const vec3& p) {
@@ -91,8 +89,8 @@ Mesh makeSpruce(const SpruceShape& shape, Random random)
     for (int k = 0; k < shape.branches; ++k) {
         // Closer together towards the top, as the years' growth gets shorter; turned by the golden angle.
         const float s = real(k) / real(shape.branches);
-        const float t = shape.clear + (0.955f - shape.clear) * (1.0f - std::pow(1.0f - s, 1.25f)) +
-                        0.008f * random.sign();
+        const float t =
+            shape.clear + (0.955f - shape.clear) * (1.0f - std::pow(1.0f - s, 1.25f)) + 0.008f * random.sign();
         turn += 2.39996f + 0.25f * random.sign();
         const float up = (t - shape.clear) / (1.0f - shape.clear);
         const float profile = std::pow(1.0f - up, 0.86f) * (1.0f - 0.25f * smoothStep(0.16f, 0.0f, up));

@@ -35,8 +35,8 @@ std::size_t chooseKind(const LakeShape& shape, const Noise& noise, vec2 p, Rando
     const Ground ground = shape.at(p);
     if (ground.shore < 7.0f && random.unit() < 0.34f) return random.unit() < 0.6f ? greenBush : paleBush;
     // Conifers to the north and on high ground, birches by the beaches, alders along the banks.
-    const float conifers = 0.45f + 0.8f * noise.fractal(p / 26.0f, 2) - 0.006f * p.y +
-                           0.3f * ground.kind.cliff - 0.45f * ground.kind.beach;
+    const float conifers = 0.45f + 0.8f * noise.fractal(p / 26.0f, 2) - 0.006f * p.y + 0.3f * ground.kind.cliff -
+                           0.45f * ground.kind.beach;
     if (random.unit() < conifers) {
         constexpr std::size_t kinds[] = {tallSpruce, spruce, spruce, wideSpruce, slimSpruce, youngSpruce};
         return kinds[random.index(6)];
@@ -54,17 +54,15 @@ void plantIsland(const LakeShape& shape, std::vector<StandingTree>& trees, Rando
         float scale;
     };
     // Seen from the south and south-east: the tall ones off the middle, a birch leaning out on each side.
-    constexpr Spot spots[] = {{tallSpruce, {-2.6f, -0.6f}, 0.92f}, {slimSpruce, {0.6f, -2.6f}, 0.82f},
-                              {spruce, {-5.4f, 0.2f}, 0.88f},      {wideSpruce, {3.4f, -1.2f}, 0.80f},
-                              {youngSpruce, {1.9f, 1.9f}, 0.9f},   {youngSpruce, {-7.6f, -0.8f}, 0.8f},
-                              {birch, {6.6f, 0.9f}, 0.78f},        {smallBirch, {-3.6f, 3.0f}, 0.80f},
-                              {maple, {-0.4f, 1.6f}, 0.62f},       {greenBush, {4.6f, 2.8f}, 0.9f},
-                              {paleBush, {-6.3f, 2.3f}, 0.8f},     {greenBush, {0.6f, 4.3f}, 0.7f},
-                              {greenBush, {8.4f, 2.6f}, 0.7f}};
+    constexpr Spot spots[] = {
+        {tallSpruce, {-2.6f, -0.6f}, 0.92f}, {slimSpruce, {0.6f, -2.6f}, 0.82f}, {spruce, {-5.4f, 0.2f}, 0.88f},
+        {wideSpruce, {3.4f, -1.2f}, 0.80f},  {youngSpruce, {1.9f, 1.9f}, 0.9f},  {youngSpruce, {-7.6f, -0.8f}, 0.8f},
+        {birch, {6.6f, 0.9f}, 0.78f},        {smallBirch, {-3.6f, 3.0f}, 0.80f}, {maple, {-0.4f, 1.6f}, 0.62f},
+        {greenBush, {4.6f, 2.8f}, 0.9f},     {paleBush, {-6.3f, 2.3f}, 0.8f},    {greenBush, {0.6f, 4.3f}, 0.7f},
+        {greenBush, {8.4f, 2.6f}, 0.7f}};
     for (const Spot& spot : spots) {
         const vec2 p = islandCentre + spot.at;
-        if (shape.height(p) > 0.15f)
-            trees.push_back({spot.kind, shape.onGround(p), random.angle(), spot.scale});
+        if (shape.height(p) > 0.15f) trees.push_back({spot.kind, shape.onGround(p), random.angle(), spot.scale});
     }
 }
 

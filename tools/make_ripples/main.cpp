@@ -1,8 +1,8 @@
 // make_ripples: draws assets/water/ripples.png, a seamless map of the normals of rippled water.
 //
-// The surface is a sum of sines whose wave numbers over the picture are whole, so that it repeats at its edges: all of 3 to
-// 16 waves along the picture, in every direction, each with a phase of its own and the longer the higher. Equal seeds give
-// equal files.
+// The surface is a sum of sines whose wave numbers over the picture are whole, so that it repeats at its edges: all of
+// 3 to 16 waves along the picture, in every direction, each with a phase of its own and the longer the higher. Equal
+// seeds give equal files.
 
 #include "base/error.h"
 #include "base/math.h"
@@ -20,9 +20,9 @@ namespace tarn {
 namespace {
 
 constexpr const char* usage = "usage: make_ripples --out FILE.png";
-constexpr int edge = 256;            // texels
+constexpr int edge = 256; // texels
 constexpr double leastWaves = 3.0, mostWaves = 16.0;
-constexpr double falloff = 2.5;      // amplitude ~ wave number to the power of -falloff
+constexpr double falloff = 2.5;        // amplitude ~ wave number to the power of -falloff
 constexpr double slopeDeviation = 0.2; // per axis, of one layer: the mean of four has half of it
 constexpr std::uint32_t seed = 7;
 

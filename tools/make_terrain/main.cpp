@@ -150,8 +150,7 @@ Image groundPicture()
 double shoreDistance(double above)
 {
     double distance = 0.0;
-    while (height(-distance, 0.0) < above)
-        distance += 0.05;
+    while (height(-distance, 0.0) < above) distance += 0.05;
     return distance;
 }
 
@@ -189,9 +188,8 @@ colour = [0.006, 0.026, 0.028]
                               {0.008, 2.0, -25, 310},
                               {0.005, 1.3, 54, 242}};
     for (const Sine& s : sines)
-        text +=
-            fmt::format("\n[[water.waves]]\namplitude = {}\nwavelength = {}\ndirection = {}\nphase = {}\n",
-                        s.amplitude, s.wavelength, s.direction, s.phase);
+        text += fmt::format("\n[[water.waves]]\namplitude = {}\nwavelength = {}\ndirection = {}\nphase = {}\n",
+                            s.amplitude, s.wavelength, s.direction, s.phase);
     text += R"(
 [[models]]
 name = "terrain"

@@ -8,11 +8,9 @@
 #include <cmath>
 #include <cstdint>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// ImGui's OpenGL backend takes names of textures as pointers.
 ImTextureID idOf(const gl::Texture& texture)
@@ -48,8 +46,7 @@ std::vector<std::uint8_t> transparentHeat(const Image& map, double scale)
     std::vector<std::uint8_t> bytes;
     bytes.reserve(4 * map.floats.size());
     for (std::size_t pixel = 0; pixel < map.floats.size(); ++pixel) {
-        for (std::size_t c = 0; c < 3; ++c)
-            bytes.push_back(heat.bytes[3 * pixel + c]);
+        for (std::size_t c = 0; c < 3; ++c) bytes.push_back(heat.bytes[3 * pixel + c]);
         bytes.push_back(std::isnan(map.floats[pixel]) ? 0 : 255);
     }
     return bytes;
@@ -62,16 +59,11 @@ std::string figureText(ErrorKind kind, const ErrorFigures& figures)
         return std::isnan(value) ? std::string() : fmt::format("{} {:.3g}{}{}", name, value, *unit ? " " : "", unit);
     };
     switch (kind) {
-    case ErrorKind::refraction:
-        return text("median", figures.refractionMedian, "m");
-    case ErrorKind::reflection:
-        return text("median", figures.reflectionMedian, "deg");
-    case ErrorKind::fresnel:
-        return text("mean", figures.fresnelMean, "");
-    case ErrorKind::path:
-        return text("median", figures.pathMedian, "m");
-    case ErrorKind::caustics:
-        break;
+    case ErrorKind::refraction: return text("median", figures.refractionMedian, "m");
+    case ErrorKind::reflection: return text("median", figures.reflectionMedian, "deg");
+    case ErrorKind::fresnel: return text("mean", figures.fresnelMean, "");
+    case ErrorKind::path: return text("median", figures.pathMedian, "m");
+    case ErrorKind::caustics: break;
     }
     return "";
 }
@@ -83,12 +75,9 @@ Comparison::Comparison(reference::Picture truth, const ReferenceView& view) : tr
 void Comparison::update(LivePicture& picture, const FrameRequest& request, const Settings& settings)
 {
     switch (state_.shown()) {
-    case ComparisonMode::off:
-        return;
-    case ComparisonMode::slider:
-        return updateReference(settings.options.frame);
-    case ComparisonMode::errorMap:
-        return updateMap(picture, request, settings);
+    case ComparisonMode::off: return;
+    case ComparisonMode::slider: return updateReference(settings.options.frame);
+    case ComparisonMode::errorMap: return updateMap(picture, request, settings);
     }
 }
 
@@ -136,8 +125,7 @@ void Comparison::drawOverlay(float scale)
 {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     switch (state_.shown()) {
-    case ComparisonMode::off:
-        return;
+    case ComparisonMode::off: return;
     case ComparisonMode::slider:
         if (reference_) drawRightOf(state_.slider() * window.x, reference_);
         return drawSlider(scale);

@@ -12,11 +12,9 @@
 #include <optional>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
-class Comparison
-{
+class Comparison {
 public:
     Comparison(reference::Picture truth, const ReferenceView& view);
 

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
 void ComparisonState::look(const Camera& camera, double time)
 {
@@ -18,15 +17,9 @@ bool ComparisonState::next()
 {
     if (!isAligned()) return true;
     switch (mode_) {
-    case ComparisonMode::off:
-        mode_ = ComparisonMode::slider;
-        break;
-    case ComparisonMode::slider:
-        mode_ = ComparisonMode::errorMap;
-        break;
-    case ComparisonMode::errorMap:
-        mode_ = ComparisonMode::off;
-        break;
+    case ComparisonMode::off: mode_ = ComparisonMode::slider; break;
+    case ComparisonMode::slider: mode_ = ComparisonMode::errorMap; break;
+    case ComparisonMode::errorMap: mode_ = ComparisonMode::off; break;
     }
     return false;
 }
@@ -41,12 +34,9 @@ std::string ComparisonState::note() const
     if (!sameView_) return "away from the reference's view; B: back";
     if (!sameTime_) return "the waves have left the reference's time; B: back";
     switch (mode_) {
-    case ComparisonMode::off:
-        return "B: beside the reference";
-    case ComparisonMode::slider:
-        return "live | reference   [ ]: move   B: errors";
-    case ComparisonMode::errorMap:
-        break;
+    case ComparisonMode::off: return "B: beside the reference";
+    case ComparisonMode::slider: return "live | reference   [ ]: move   B: errors";
+    case ComparisonMode::errorMap: break;
     }
     const ErrorKindInfo& kind = infoOf(kind_);
     return fmt::format("{} error, white from {:g}{}{}   B: live only", kind.name, kind.scale, *kind.unit ? " " : "",

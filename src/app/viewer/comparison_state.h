@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 enum class ComparisonMode { off, slider, errorMap };
 
@@ -16,8 +15,7 @@ struct ScreenRect {
     vec2 lower{0.0f}, upper{0.0f};
 };
 
-class ComparisonState
-{
+class ComparisonState {
 public:
     explicit ComparisonState(const ReferenceView& view) : view_(view) {}
 

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr float fastFactor = 5.0f;
 constexpr float slowest = 0.05f, fastest = 500.0f; // m/s
@@ -18,15 +16,9 @@ constexpr float steepest = 89.0f * pi / 180.0f;
 /// A machine that stood still for longer must not throw the eye across the lake.
 constexpr double longestStep = 0.25;
 
-bool finite(const vec3& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-vec3 forwardOf(const Camera& camera)
-{
-    return glm::normalize(camera.target - camera.eye);
-}
+vec3 forwardOf(const Camera& camera) { return glm::normalize(camera.target - camera.eye); }
 
 } // namespace
 
@@ -66,8 +58,7 @@ void FlyCamera::move(const vec3& direction, bool fast, double seconds)
     const float length = glm::length(way);
     if (length > 1.0f) way /= length;
 
-    const float metres =
-        speed_ * (fast ? fastFactor : 1.0f) * static_cast<float>(std::min(seconds, longestStep));
+    const float metres = speed_ * (fast ? fastFactor : 1.0f) * static_cast<float>(std::min(seconds, longestStep));
     const vec3 eye = glm::clamp(camera_.eye + metres * way, vec3(-worldEdge), vec3(worldEdge));
     camera_.target += eye - camera_.eye;
     camera_.eye = eye;

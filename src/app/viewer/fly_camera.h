@@ -5,11 +5,9 @@
 #include "base/math.h"
 #include "scene/camera.h"
 
-namespace tarn
-{
+namespace tarn {
 
-class FlyCamera
-{
+class FlyCamera {
 public:
     explicit FlyCamera(const Camera& start) { jumpTo(start); }
 

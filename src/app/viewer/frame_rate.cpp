@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr double memorySeconds = 0.5;
 
@@ -22,8 +20,8 @@ void FrameRate::add(double frameSeconds, const std::vector<ShownTime>& passes)
 
     std::vector<ShownTime> steadied = passes;
     for (ShownTime& pass : steadied) {
-        const auto before = std::find_if(passes_.begin(), passes_.end(),
-                                         [&](const ShownTime& old) { return old.name == pass.name; });
+        const auto before =
+            std::find_if(passes_.begin(), passes_.end(), [&](const ShownTime& old) { return old.name == pass.name; });
         if (before != passes_.end()) pass.milliseconds = blend(before->milliseconds, pass.milliseconds);
     }
     passes_ = std::move(steadied);

@@ -4,16 +4,14 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 struct ShownTime {
     std::string name;
     double milliseconds = 0.0;
 };
 
-class FrameRate
-{
+class FrameRate {
 public:
     /// Once per frame. A value older than half a second counts little.
     void add(double frameSeconds, const std::vector<ShownTime>& passes);

@@ -6,62 +6,44 @@
 
 #include <utility>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 std::optional<Key> keyFromGlfw(int key)
 {
     switch (key) {
-    case GLFW_KEY_UP:
-        return Key::up;
-    case GLFW_KEY_DOWN:
-        return Key::down;
-    case GLFW_KEY_LEFT:
-        return Key::left;
-    case GLFW_KEY_RIGHT:
-        return Key::right;
+    case GLFW_KEY_UP: return Key::up;
+    case GLFW_KEY_DOWN: return Key::down;
+    case GLFW_KEY_LEFT: return Key::left;
+    case GLFW_KEY_RIGHT: return Key::right;
     case GLFW_KEY_LEFT_SHIFT:
-    case GLFW_KEY_RIGHT_SHIFT:
-        return Key::shift;
-    case GLFW_KEY_TAB:
-        return Key::tab;
-    case GLFW_KEY_ESCAPE:
-        return Key::escape;
-    case GLFW_KEY_F12:
-        return Key::f12;
-    default:
-        break;
+    case GLFW_KEY_RIGHT_SHIFT: return Key::shift;
+    case GLFW_KEY_TAB: return Key::tab;
+    case GLFW_KEY_ESCAPE: return Key::escape;
+    case GLFW_KEY_F12: return Key::f12;
+    default: break;
     }
-    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)
-        return keyOf(static_cast<char>('0' + key - GLFW_KEY_KP_0));
-    const bool letterOrDigit =
-        (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) || (key >= GLFW_KEY_A && key <= GLFW_KEY_Z);
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return keyOf(static_cast<char>('0' + key - GLFW_KEY_KP_0));
+    const bool letterOrDigit = (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) || (key >= GLFW_KEY_A && key <= GLFW_KEY_Z);
     const bool bracket = key == GLFW_KEY_LEFT_BRACKET || key == GLFW_KEY_RIGHT_BRACKET;
     if (letterOrDigit || bracket) return static_cast<Key>(key); // GLFW's codes are ASCII's here
     return std::nullopt;
 }
 
-GlfwInput& inputOf(GLFWwindow* window)
-{
-    return *static_cast<GlfwInput*>(glfwGetWindowUserPointer(window));
-}
+GlfwInput& inputOf(GLFWwindow* window) { return *static_cast<GlfwInput*>(glfwGetWindowUserPointer(window)); }
 
 } // namespace
 
 GlfwInput::GlfwInput(GLFWwindow* window) : window_(window)
 {
     glfwSetWindowUserPointer(window, this);
-    glfwSetKeyCallback(window,
-                       [](GLFWwindow* w, int key, int, int action, int) { inputOf(w).onKey(key, action); });
-    glfwSetMouseButtonCallback(
-        window, [](GLFWwindow* w, int button, int action, int) { inputOf(w).onButton(button, action); });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) { inputOf(w).onKey(key, action); });
+    glfwSetMouseButtonCallback(window,
+                               [](GLFWwindow* w, int button, int action, int) { inputOf(w).onButton(button, action); });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { inputOf(w).onPointer(x, y); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) { inputOf(w).onWheel(notches); });
-    glfwSetWindowFocusCallback(window,
-                               [](GLFWwindow* w, int focused) { inputOf(w).onFocus(focused == GLFW_TRUE); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) { inputOf(w).onFocus(focused == GLFW_TRUE); });
 }
 
 GlfwInput::~GlfwInput()
@@ -132,19 +114,10 @@ void GlfwInput::onFocus(bool focused)
     stopLooking();
 }
 
-std::vector<KeyCommand> GlfwInput::takeCommands()
-{
-    return std::exchange(commands_, {});
-}
+std::vector<KeyCommand> GlfwInput::takeCommands() { return std::exchange(commands_, {}); }
 
-vec2 GlfwInput::takeLook()
-{
-    return std::exchange(look_, vec2(0.0f));
-}
+vec2 GlfwInput::takeLook() { return std::exchange(look_, vec2(0.0f)); }
 
-double GlfwInput::takeWheel()
-{
-    return std::exchange(wheel_, 0.0);
-}
+double GlfwInput::takeWheel() { return std::exchange(wheel_, 0.0); }
 
 } // namespace tarn

@@ -8,15 +8,13 @@
 
 struct GLFWwindow;
 
-namespace tarn
-{
+namespace tarn {
 
 class ImGuiLayer;
 
 /// Installs itself as the window's input callbacks; must outlive the window's event handling. Keys typed into
 /// a widget and clicks on one do not count once the widgets are known.
-class GlfwInput
-{
+class GlfwInput {
 public:
     explicit GlfwInput(GLFWwindow* window);
     ~GlfwInput();

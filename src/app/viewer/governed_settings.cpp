@@ -4,19 +4,16 @@
 
 #include <algorithm>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr std::size_t mostSets = 64; // of programs that are remembered
 
 std::vector<double> costsOf(const std::vector<OwnRung>& rungs)
 {
     std::vector<double> costs;
-    for (const OwnRung& rung : rungs)
-        costs.push_back(rung.cost);
+    for (const OwnRung& rung : rungs) costs.push_back(rung.cost);
     return costs;
 }
 
@@ -45,7 +42,8 @@ void GovernedSettings::build()
         // As far down the ladder as before.
         const std::size_t before = rungs_.empty() ? ladder_.rungs.size() : rungs_[governor_.rung()].rung;
         governor_ = Governor(costsOf(rungs), target, tuning_);
-        const auto as = std::find_if(rungs.begin(), rungs.end(), [&](const OwnRung& rung) { return rung.rung >= before; });
+        const auto as =
+            std::find_if(rungs.begin(), rungs.end(), [&](const OwnRung& rung) { return rung.rung >= before; });
         if (as != rungs.end()) governor_.startAt(static_cast<std::size_t>(as - rungs.begin()));
     }
     governor_.setTarget(target);
@@ -91,8 +89,8 @@ GovernedSettings::Part GovernedSettings::next(const Now& now)
 
 void GovernedSettings::took(const Drawn& frame)
 {
-    const auto rung = std::find_if(rungs_.begin(), rungs_.end(),
-                                   [&](const OwnRung& own) { return own.options == frame.options; });
+    const auto rung =
+        std::find_if(rungs_.begin(), rungs_.end(), [&](const OwnRung& own) { return own.options == frame.options; });
     if (rung == rungs_.end()) return; // the person has changed the settings meanwhile
     const auto index = static_cast<std::size_t>(rung - rungs_.begin());
     if (!ready_[index]) noteBuilt(frame.options);
@@ -100,7 +98,8 @@ void GovernedSettings::took(const Drawn& frame)
     constexpr int timed = Refinement::samples / 2; // what the first ones make is there, and a card's times are theirs
     if (frame.sample == 0 && step_.sample == 0 && index == governor_.rung())
         governor_.drawn({frame.milliseconds, frame.now}, [this](std::size_t i) { return ready_[i]; });
-    else if (frame.sample == timed) governor_.observed(index, frame.milliseconds);
+    else if (frame.sample == timed)
+        governor_.observed(index, frame.milliseconds);
 }
 
 std::optional<Options> GovernedSettings::toBuild() const
@@ -130,7 +129,8 @@ std::string GovernedSettings::changesText() const
     for (std::size_t i = 0; i < own.size(); ++i) {
         if (own[i].value == drawn[i].value || ++changes > mostNamed) continue;
         const std::string& key = own[i].key;
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key.starts_with("frame.") ? key.substr(6) : key, drawn[i].value);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key.starts_with("frame.") ? key.substr(6) : key,
+                            drawn[i].value);
     }
     if (changes > mostNamed) text += fmt::format(" and {} more", changes - mostNamed);
     return text.empty() ? "your settings" : text;

@@ -1,5 +1,5 @@
-// The settings that the viewer draws with: a person's own, or cheaper ones that the governor has chosen from the ladder while
-// something moves, or those of a picture that is being refined while nothing does. Knows no window.
+// The settings that the viewer draws with: a person's own, or cheaper ones that the governor has chosen from the ladder
+// while something moves, or those of a picture that is being refined while nothing does. Knows no window.
 //
 //     GovernedSettings governed(ladder, settings, "The lake", tuning);
 //     const GovernedSettings::Part part = governed.next({.now = now, .disturbed = moved, .isStill = paused});
@@ -16,11 +16,9 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
-class GovernedSettings
-{
+class GovernedSettings {
 public:
     /// @param scene the name of the one that is shown   @param own the person's settings; options.frame.targetMs 0: off
     GovernedSettings(Ladder ladder, const Settings& own, std::string scene, const GovernorTuning& tuning = {});
@@ -37,8 +35,8 @@ public:
         bool suspended = false; ///< the own settings are wanted for once: they are being measured
     };
     struct Part {
-        int sample = 0;       ///< FrameInput::sample
-        bool isFinal = false; ///< the picture was drawn already and nothing better is to come
+        int sample = 0;          ///< FrameInput::sample
+        bool isFinal = false;    ///< the picture was drawn already and nothing better is to come
         bool isRefining = false; ///< it may take longer than the governor allows
     };
     /// Once for each frame, before it is drawn.
@@ -79,9 +77,9 @@ private:
     Refinement::Step step_; ///< of the frame that is drawn next or was drawn last
     bool suspended_ = false;
     bool startsAtBase_ = false;
-    bool touched_ = true;             ///< the settings were, since the last frame
-    std::vector<Options> built_;      ///< one for each set of programs
-    std::vector<bool> ready_;         ///< of each rung
+    bool touched_ = true;        ///< the settings were, since the last frame
+    std::vector<Options> built_; ///< one for each set of programs
+    std::vector<bool> ready_;    ///< of each rung
 };
 
 } // namespace tarn

@@ -10,11 +10,9 @@
 #include <chrono>
 #include <utility>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// On a card several frames are under way, whose times come later.
 GovernorTuning tuningFor(const gl::Window& window)
@@ -34,8 +32,7 @@ double drawingMs(const FrameReport& report, bool isSoftware)
 }
 
 /// Ends the building of programs after one that took long, unless that was there already, or when it is to stop.
-class Slice : public Progress
-{
+class Slice : public Progress {
 public:
     struct Ended {};
 
@@ -59,7 +56,8 @@ private:
 };
 
 /// Leaves the renderer as it was. Returns how far it came, to be told the next time, or a negative number at the end.
-int buildSlice(Renderer& renderer, const Options& options, const WaterBody& water, const std::atomic<bool>& stops, int before)
+int buildSlice(Renderer& renderer, const Options& options, const WaterBody& water, const std::atomic<bool>& stops,
+               int before)
 {
     const Options drawn = renderer.options();
     Slice slice(stops, before);
@@ -123,8 +121,8 @@ void Viewer::govern(ivec2 size)
     if (isTouched || isAnswered() || suspended) {
         answeredAtPart_ = picture_.answered();
         const bool wasRefining = part_.isRefining;
-        part_ = governed_->next(
-            {.now = lastFrame_, .disturbed = disturbed_, .isStill = isStill(), .suspended = suspended});
+        part_ =
+            governed_->next({.now = lastFrame_, .disturbed = disturbed_, .isStill = isStill(), .suspended = suspended});
         // A frame that was begun in leisure is not waited for.
         if (wasRefining && !part_.isRefining) {
             *abandoned_ = true;
@@ -147,7 +145,8 @@ void Viewer::noteDrawn()
     if (ms > 0.0 && !isBuilding) governed_->took({report.options, report.sample, ms, lastFrame_});
 }
 
-/// A slice at a time, with frames between, so that neither the waves nor whatever is touched waits for more than a program.
+/// A slice at a time, with frames between, so that neither the waves nor whatever is touched waits for more than a
+/// program.
 void Viewer::buildAtRest()
 {
     const std::optional<Options> wanted = picture_.isFull() ? governed_->toBuild() : std::nullopt;
@@ -174,8 +173,10 @@ void Viewer::buildAtRest()
 void Viewer::toggleGovernor()
 {
     float& target = stage_.settings.options.frame.targetMs;
-    if (target > 0.0f) lastTargetMs_ = std::exchange(target, 0.0f);
-    else target = lastTargetMs_;
+    if (target > 0.0f)
+        lastTargetMs_ = std::exchange(target, 0.0f);
+    else
+        target = lastTargetMs_;
     say(target > 0.0f ? fmt::format("governor on: {:.3g} ms a frame", target) : "governor off: your own settings");
 }
 

@@ -5,22 +5,17 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
-constexpr ImGuiWindowFlags overlayFlags =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove;
+constexpr ImGuiWindowFlags overlayFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove;
 constexpr ImGuiWindowFlags passiveFlags = overlayFlags | ImGuiWindowFlags_NoInputs;
 const ImVec4 errorColour{1.0f, 0.45f, 0.4f, 1.0f};
 
-void text(const std::string& line)
-{
-    ImGui::TextUnformatted(line.c_str());
-}
+void text(const std::string& line) { ImGui::TextUnformatted(line.c_str()); }
 
 /// As wide as the figures are anyway.
 void drawWrapped(const std::string& words)
@@ -98,8 +93,7 @@ void drawLoading(const SharedProgress::State& state, float scale)
     ImGui::SetNextWindowSize({width, 0.0f}, ImGuiCond_Always);
     if (ImGui::Begin("loading", nullptr, passiveFlags & ~ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::ProgressBar(static_cast<float>(state.fraction), {-1.0f, 0.0f});
-        const std::string left =
-            state.secondsLeft >= 0.0 ? fmt::format("{:.0f} s left  ", state.secondsLeft) : "";
+        const std::string left = state.secondsLeft >= 0.0 ? fmt::format("{:.0f} s left  ", state.secondsLeft) : "";
         // Of a path only the name: folders would fill the line and hide it.
         text(left + state.what.substr(state.what.rfind('/') + 1));
     }
@@ -108,8 +102,8 @@ void drawLoading(const SharedProgress::State& state, float scale)
 
 std::string titleText(const HudState& state)
 {
-    std::string title = fmt::format("Tarn - {}{} - {:.0f} fps, {:.1f} ms", state.scene,
-                                    state.draft ? " (draft)" : "", state.rate.framesPerSecond(), state.rate.frameMilliseconds());
+    std::string title = fmt::format("Tarn - {}{} - {:.0f} fps, {:.1f} ms", state.scene, state.draft ? " (draft)" : "",
+                                    state.rate.framesPerSecond(), state.rate.frameMilliseconds());
     const char* separator = " - ";
     for (const ShownTime& pass : state.rate.passes()) {
         title += fmt::format("{}{} {:.1f}", separator, pass.name, pass.milliseconds);

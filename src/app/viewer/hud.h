@@ -8,8 +8,7 @@
 
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 struct HudState {
     const FrameRate& rate;

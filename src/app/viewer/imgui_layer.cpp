@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr float fontPixels = 13.0f; // of ImGui's own font at scale 1, its natural size
 
@@ -25,8 +23,7 @@ float widgetScale(GLFWwindow* window)
     int windowWidth = 0, windowHeight = 0, pixelWidth = 0, pixelHeight = 0;
     glfwGetWindowSize(window, &windowWidth, &windowHeight);
     glfwGetFramebufferSize(window, &pixelWidth, &pixelHeight);
-    if (windowWidth > 0 && pixelWidth > 0)
-        content *= static_cast<float>(windowWidth) / static_cast<float>(pixelWidth);
+    if (windowWidth > 0 && pixelWidth > 0) content *= static_cast<float>(windowWidth) / static_cast<float>(pixelWidth);
     return std::clamp(content, 0.5f, 4.0f);
 }
 
@@ -83,14 +80,8 @@ void ImGuiLayer::draw()
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-bool ImGuiLayer::wantsKeys() const
-{
-    return ImGui::GetIO().WantTextInput;
-}
+bool ImGuiLayer::wantsKeys() const { return ImGui::GetIO().WantTextInput; }
 
-bool ImGuiLayer::wantsMouse() const
-{
-    return ImGui::GetIO().WantCaptureMouse;
-}
+bool ImGuiLayer::wantsMouse() const { return ImGui::GetIO().WantCaptureMouse; }
 
 } // namespace tarn

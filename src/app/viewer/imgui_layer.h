@@ -3,11 +3,9 @@
 
 struct GLFWwindow;
 
-namespace tarn
-{
+namespace tarn {
 
-class ImGuiLayer
-{
+class ImGuiLayer {
 public:
     /// Chains to the input callbacks that the window already has: set those first.
     explicit ImGuiLayer(GLFWwindow* window);

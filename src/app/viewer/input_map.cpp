@@ -1,10 +1,8 @@
 #include "app/viewer/input_map.h"
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 struct Binding {
     Action action;
@@ -24,8 +22,8 @@ const std::vector<Binding>& bindings()
         {Action::sink, {keyOf('Q')}, "Q", "down"},
         {Action::fast, {Key::shift}, "Shift", "move fast"},
         {Action::camera,
-         {keyOf('1'), keyOf('2'), keyOf('3'), keyOf('4'), keyOf('5'), keyOf('6'), keyOf('7'), keyOf('8'),
-          keyOf('9'), keyOf('0')},
+         {keyOf('1'), keyOf('2'), keyOf('3'), keyOf('4'), keyOf('5'), keyOf('6'), keyOf('7'), keyOf('8'), keyOf('9'),
+          keyOf('0')},
          "1 ... 9, 0",
          "jump to a camera of the scene"},
         {Action::caustics, {keyOf('C')}, "C", "caustics on or off"},
@@ -59,21 +57,14 @@ std::optional<KeyCommand> commandOf(Key key)
     return std::nullopt;
 }
 
-bool isHeld(Action action)
-{
-    return action <= Action::fast;
-}
+bool isHeld(Action action) { return action <= Action::fast; }
 
-bool repeats(Action action)
-{
-    return action == Action::sliderLeft || action == Action::sliderRight;
-}
+bool repeats(Action action) { return action == Action::sliderLeft || action == Action::sliderRight; }
 
 std::vector<HelpLine> helpLines()
 {
     std::vector<HelpLine> lines;
-    for (const Binding& binding : bindings())
-        lines.push_back({binding.names, binding.what});
+    for (const Binding& binding : bindings()) lines.push_back({binding.names, binding.what});
     lines.push_back({"left button", "hold it to look around"});
     lines.push_back({"wheel", "move faster or slower"});
     return lines;
@@ -84,8 +75,7 @@ vec3 HeldKeys::direction() const
     const auto axis = [this](Action plus, Action minus) {
         return static_cast<float>(held(plus)) - static_cast<float>(held(minus));
     };
-    return {axis(Action::right, Action::left), axis(Action::rise, Action::sink),
-            axis(Action::forward, Action::back)};
+    return {axis(Action::right, Action::left), axis(Action::rise, Action::sink), axis(Action::forward, Action::back)};
 }
 
 bool HeldKeys::held(Action action) const

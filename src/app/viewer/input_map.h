@@ -8,15 +8,11 @@
 #include <string>
 #include <vector>
 
-namespace tarn
-{
+namespace tarn {
 
 /// Letters, digits and brackets are their own ASCII code, letters in capitals.
 enum class Key : int { up = 256, down, left, right, shift, tab, escape, f12 };
-constexpr Key keyOf(char letter)
-{
-    return static_cast<Key>(letter);
-}
+constexpr Key keyOf(char letter) { return static_cast<Key>(letter); }
 
 enum class Action {
     // While the key is held
@@ -68,8 +64,7 @@ struct HelpLine {
 std::vector<HelpLine> helpLines();
 
 /// The held keys, as a motion.
-class HeldKeys
-{
+class HeldKeys {
 public:
     void press(Key key) { keys_.insert(key); }
     void release(Key key) { keys_.erase(key); }

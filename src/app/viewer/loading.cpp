@@ -2,17 +2,12 @@
 
 #include <chrono>
 
-namespace tarn
-{
+namespace tarn {
 
 BackgroundLoad::BackgroundLoad(const SceneArguments& arguments)
     : stage_(std::async(std::launch::async, [this, arguments] { return loadStage(arguments, &progress_); }))
-{
-}
+{}
 
-bool BackgroundLoad::done() const
-{
-    return stage_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-}
+bool BackgroundLoad::done() const { return stage_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
 } // namespace tarn

@@ -7,11 +7,9 @@
 #include <future>
 #include <optional>
 
-namespace tarn
-{
+namespace tarn {
 
-class BackgroundLoad
-{
+class BackgroundLoad {
 public:
     /// Starts at once.
     explicit BackgroundLoad(const SceneArguments& arguments);

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <cstring>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 /// One widget a field. A slider where both ends are known, else a number to drag.
-class PanelVisitor : public FieldVisitor
-{
+class PanelVisitor : public FieldVisitor {
 public:
     bool changed = false;
 
@@ -64,8 +61,7 @@ public:
 
     void choiceIndex(const FieldInfo& info, int& value, std::span<const char* const> names) override
     {
-        if (shown_)
-            finish(info, ImGui::Combo(info.name, &value, names.data(), static_cast<int>(names.size())));
+        if (shown_) finish(info, ImGui::Combo(info.name, &value, names.data(), static_cast<int>(names.size())));
     }
 
 private:
@@ -84,8 +80,7 @@ private:
     static bool usable(const FieldInfo& info, const float* values, int count)
     {
         for (int i = 0; i < count; ++i)
-            if (!(std::isfinite(values[i]) && values[i] >= info.lower && values[i] <= info.upper))
-                return false;
+            if (!(std::isfinite(values[i]) && values[i] >= info.lower && values[i] <= info.upper)) return false;
         return true;
     }
 
@@ -94,11 +89,10 @@ private:
         float before[3] = {};
         std::copy(values, values + count, before);
         const auto lower = static_cast<float>(info.lower), upper = static_cast<float>(info.upper);
-        const bool edited = bounded(info)
-                                ? ImGui::SliderScalarN(info.name, ImGuiDataType_Float, values, count, &lower,
-                                                       &upper, "%.4g", sliderFlags(info))
-                                : ImGui::DragScalarN(info.name, ImGuiDataType_Float, values, count, 0.05f,
-                                                     nullptr, nullptr, "%.4g");
+        const bool edited = bounded(info) ? ImGui::SliderScalarN(info.name, ImGuiDataType_Float, values, count, &lower,
+                                                                 &upper, "%.4g", sliderFlags(info))
+                                          : ImGui::DragScalarN(info.name, ImGuiDataType_Float, values, count, 0.05f,
+                                                               nullptr, nullptr, "%.4g");
         // A person can type "nan", and anything beyond the ends.
         if (edited && !usable(info, values, count)) std::copy(before, before + count, values);
         finish(info, edited);

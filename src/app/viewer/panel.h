@@ -6,8 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
 struct PanelResult {
     bool changed = false; ///< some field of the tree was set

@@ -1,11 +1,9 @@
 // The time of the waves: the wall's, less the pauses.
 #pragma once
 
-namespace tarn
-{
+namespace tarn {
 
-class SceneClock
-{
+class SceneClock {
 public:
     explicit SceneClock(double startSeconds) : time_(startSeconds) {}
 

@@ -2,8 +2,7 @@
 
 #include "base/error.h"
 
-namespace tarn
-{
+namespace tarn {
 
 std::filesystem::path nextScreenshot(const std::filesystem::path& folder)
 {

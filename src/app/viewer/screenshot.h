@@ -3,8 +3,7 @@
 
 #include <filesystem>
 
-namespace tarn
-{
+namespace tarn {
 
 /// The first of tarn-0001.png, tarn-0002.png … that does not exist in the folder.
 std::filesystem::path nextScreenshot(const std::filesystem::path& folder);

@@ -17,17 +17,15 @@
 #include <cstdio>
 #include <utility>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
-constexpr double inputSeconds = 1.0 / 60.0;   // between looks at held keys
-constexpr double soonSeconds = 0.001;         // until a GPU has finished a picture
-constexpr double widgetSeconds = 1.0 / 30.0;  // between redraws of what a person uses
-constexpr double figureSeconds = 0.25;        // of what a person reads
-constexpr double patienceSeconds = 1.0;       // with threads that build a program when the person has left
+constexpr double inputSeconds = 1.0 / 60.0;  // between looks at held keys
+constexpr double soonSeconds = 0.001;        // until a GPU has finished a picture
+constexpr double widgetSeconds = 1.0 / 30.0; // between redraws of what a person uses
+constexpr double figureSeconds = 0.25;       // of what a person reads
+constexpr double patienceSeconds = 1.0;      // with threads that build a program when the person has left
 
 double steadySeconds()
 {
@@ -155,7 +153,8 @@ void Viewer::takeScreenshot()
     const std::filesystem::path folder = std::filesystem::current_path();
     FrameRequest wanted = request();
     wanted.abandoned = nullptr; // it is waited for
-    picture_.post([promise, folder, request = std::move(wanted), settings = settingsJson(governed_->drawn())](FrameSource& source) {
+    picture_.post([promise, folder, request = std::move(wanted),
+                   settings = settingsJson(governed_->drawn())](FrameSource& source) {
         source.draw(request);
         promise->set_value(savePicture(folder, source.renderer()->readDisplay(), settings));
     });
@@ -167,8 +166,8 @@ void Viewer::sayScreenshot()
     say(screenshot_.get());
 }
 
-/// The window is gone at once; threads end with the program or the frame that they are at. A driver's compiler cannot be
-/// interrupted, so one that takes long is left to the end of the process.
+/// The window is gone at once; threads end with the program or the frame that they are at. A driver's compiler cannot
+/// be interrupted, so one that takes long is left to the end of the process.
 void Viewer::leave()
 {
     glfwHideWindow(window_.handle());

@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
-namespace tarn
-{
+namespace tarn {
 
 StereoOptions::Output nextStereo(StereoOptions::Output output)
 {
     switch (output) {
-    case StereoOptions::Output::off:
-        return StereoOptions::Output::sideBySide;
+    case StereoOptions::Output::off: return StereoOptions::Output::sideBySide;
     case StereoOptions::Output::sideBySide:
-    case StereoOptions::Output::pair:
-        return StereoOptions::Output::anaglyph;
-    case StereoOptions::Output::anaglyph:
-        break;
+    case StereoOptions::Output::pair: return StereoOptions::Output::anaglyph;
+    case StereoOptions::Output::anaglyph: break;
     }
     return StereoOptions::Output::off;
 }

@@ -5,10 +5,10 @@
 
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
-/// What key O goes on to: off, side by side, anaglyph. Two files are for tarn render; in a window they lie side by side.
+/// What key O goes on to: off, side by side, anaglyph. Two files are for tarn render; in a window they lie side by
+/// side.
 StereoOptions::Output nextStereo(StereoOptions::Output output);
 
 /// For the figures' corner; "" for one eye.

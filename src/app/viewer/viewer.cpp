@@ -16,11 +16,9 @@
 #include <chrono>
 #include <cmath>
 
-namespace tarn
-{
+namespace tarn {
 
-namespace
-{
+namespace {
 
 constexpr double loadingFrameSeconds = 1.0 / 30.0;
 constexpr double messageSeconds = 4.0;
@@ -53,23 +51,16 @@ std::optional<reference::Picture> readReference(const std::filesystem::path& fil
     return reference::readPicture(file);
 }
 
-void toggle(bool& option)
-{
-    option = !option;
-}
+void toggle(bool& option) { option = !option; }
 
 } // namespace
 
-void runViewer(const ViewCommand& command)
-{
-    Viewer(command).run();
-}
+void runViewer(const ViewCommand& command) { Viewer(command).run(); }
 
 Viewer::Viewer(const ViewCommand& command)
     : command_(command), truth_(readReference(command.reference)),
-      window_({.title = "Tarn", .size = command.view.size, .vsync = command.vsync}),
-      input_(window_.handle()), widgets_(window_.handle()), picture_(window_, glfwPostEmptyEvent),
-      clock_(command.view.time)
+      window_({.title = "Tarn", .size = command.view.size, .vsync = command.vsync}), input_(window_.handle()),
+      widgets_(window_.handle()), picture_(window_, glfwPostEmptyEvent), clock_(command.view.time)
 {
     picture_.times().note(StartupEvent::context);
     guardDisplay();
@@ -111,7 +102,8 @@ bool Viewer::load()
     beginToGovern();
     startSettings_ = stage_.settings;
     begin();
-    picture_.show(stage_.scene, compares() ? stage_.settings : governed_->drawn()); // a comparison is with the own settings
+    picture_.show(stage_.scene,
+                  compares() ? stage_.settings : governed_->drawn()); // a comparison is with the own settings
     return true;
 }
 
@@ -161,8 +153,7 @@ void Viewer::frame()
 
 void Viewer::takeInput(double seconds)
 {
-    for (const KeyCommand& command : input_.takeCommands())
-        obey(command);
+    for (const KeyCommand& command : input_.takeCommands()) obey(command);
     int windowWidth = 0, windowHeight = 0;
     glfwGetWindowSize(window_.handle(), &windowWidth, &windowHeight);
     const vec2 look = input_.takeLook();
@@ -183,46 +174,30 @@ void Viewer::obey(const KeyCommand& command)
         say(fmt::format("{} {}", name, option ? "on" : "off"));
     };
     switch (command.action) {
-    case Action::camera:
-        return jumpToCamera(command.index);
-    case Action::caustics:
-        return switched(options.caustics.enabled, "caustics");
-    case Action::underwater:
-        return switched(options.underwater.enabled, "underwater effects");
-    case Action::glow:
-        return switched(options.glow.enabled, "glow");
-    case Action::reflection:
-        return switched(options.reflection.enabled, "reflection");
-    case Action::refraction:
-        return switched(options.refraction.enabled, "refraction");
-    case Action::pause:
-        return clock_.togglePause();
+    case Action::camera: return jumpToCamera(command.index);
+    case Action::caustics: return switched(options.caustics.enabled, "caustics");
+    case Action::underwater: return switched(options.underwater.enabled, "underwater effects");
+    case Action::glow: return switched(options.glow.enabled, "glow");
+    case Action::reflection: return switched(options.reflection.enabled, "reflection");
+    case Action::refraction: return switched(options.refraction.enabled, "refraction");
+    case Action::pause: return clock_.togglePause();
     case Action::nextView:
         view_ = static_cast<DebugView>((static_cast<int>(view_) + 1) % debugViewCount);
         return say(fmt::format("view: {}", debugViewNames[static_cast<std::size_t>(view_)]));
     case Action::stereo:
         options.stereo.output = nextStereo(options.stereo.output);
         return say(options.stereo.isOn() ? stereoText(options.stereo) : "stereo off");
-    case Action::compare:
-        return compareNext();
+    case Action::compare: return compareNext();
     case Action::sliderLeft:
     case Action::sliderRight:
         if (compares()) comparison_->state().moveSlider(command.action == Action::sliderRight ? 1 : -1);
         return;
-    case Action::governor:
-        return toggleGovernor();
-    case Action::help:
-        return toggle(helpOpen_);
-    case Action::panel:
-        return toggle(panelOpen_);
-    case Action::screenshot:
-        screenshotWanted_ = true;
-        return;
-    case Action::leave:
-        leaving_ = true;
-        return;
-    default:
-        return; // held keys: HeldKeys knows them
+    case Action::governor: return toggleGovernor();
+    case Action::help: return toggle(helpOpen_);
+    case Action::panel: return toggle(panelOpen_);
+    case Action::screenshot: screenshotWanted_ = true; return;
+    case Action::leave: leaving_ = true; return;
+    default: return; // held keys: HeldKeys knows them
     }
 }
 
@@ -230,8 +205,7 @@ void Viewer::jumpToCamera(int index)
 {
     const std::vector<Camera>& cameras = stage_.scene.cameras;
     if (index >= static_cast<int>(cameras.size()))
-        return say(
-            fmt::format("the scene has {} camera{} only", cameras.size(), cameras.size() == 1 ? "" : "s"));
+        return say(fmt::format("the scene has {} camera{} only", cameras.size(), cameras.size() == 1 ? "" : "s"));
     const Camera& camera = cameras[static_cast<std::size_t>(index)];
     camera_.jumpTo(camera);
     say(fmt::format("camera {}", camera.name));

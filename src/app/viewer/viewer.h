@@ -20,11 +20,9 @@
 #include <optional>
 #include <string>
 
-namespace tarn
-{
+namespace tarn {
 
-class Viewer
-{
+class Viewer {
 public:
     /// Opens the window.
     explicit Viewer(const ViewCommand& command);
@@ -83,18 +81,18 @@ private:
     SpareMemory spare_{stage_.scene};
     LivePicture picture_;
     std::optional<GovernedSettings> governed_; ///< once the scene is there
-    GovernedSettings::Part part_;    ///< of the frame that is asked for
+    GovernedSettings::Part part_;              ///< of the frame that is asked for
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false); ///< what was asked for
-    bool disturbed_ = true;          ///< since that was asked for
+    bool disturbed_ = true; ///< since that was asked for
     int answeredAtPart_ = 0;
     std::optional<FrameRequest> asked_; ///< last
-    double lastAsk_ = 0.0;           ///< steady seconds
+    double lastAsk_ = 0.0;              ///< steady seconds
     int answeredAtAsk_ = 0;
-    Options building_;               ///< what programs are built for that a better picture needs
+    Options building_;                                 ///< what programs are built for that a better picture needs
     std::shared_ptr<std::atomic<bool>> buildingStops_; ///< soon
-    std::future<int> built_;         ///< how many are there; negative: all
+    std::future<int> built_;                           ///< how many are there; negative: all
     int builtBefore_ = 0;
-    float lastTargetMs_ = 0.0f;      ///< before the governor was switched off
+    float lastTargetMs_ = 0.0f; ///< before the governor was switched off
     /// What a person can change beside the settings, as it was when it was last looked at.
     struct Touched {
         Camera camera;
@@ -110,7 +108,7 @@ private:
     DebugView view_ = DebugView::final;
     double lastFrame_ = 0.0; ///< steady seconds; 0 before the first
     double lastTitle_ = 0.0;
-    double lastRedraw_ = 0.0;  ///< steady seconds
+    double lastRedraw_ = 0.0; ///< steady seconds
     ivec2 redrawnSize_{0};
     double lastPicture_ = 0.0; ///< steady seconds of the renderer's last; 0: it rested since
     int answeredAtPicture_ = 0, pictures_ = 0;

@@ -10,8 +10,7 @@ double sumOfParts(const ErrorBudget& budget, double ErrorBudget::Row::*figure)
 {
     double sum = ErrorBudget::none;
     for (const ErrorBudget::Row& row : budget.rows)
-        if (const double value = row.*figure; std::isfinite(value))
-            sum = std::isfinite(sum) ? sum + value : value;
+        if (const double value = row.*figure; std::isfinite(value)) sum = std::isfinite(sum) ? sum + value : value;
     return sum;
 }
 

@@ -20,12 +20,11 @@ struct ErrorBudget {
     };
     std::string quantity; ///< "mean FLIP"
     std::vector<Row> rows;
-    double total = 0.0;      ///< error of the frame as it is
-    double together = none;  ///< error of the reference with every part in it that has a value alone
-    double remaining = none; ///< error of the frame with every part exact: what the parts do not explain
-    double noise = none;     ///< of the reference: its error against itself with other random numbers
-    double unmodelled =
-        none; ///< what light between surfaces changes in the reference; neither side of `total` has it
+    double total = 0.0;       ///< error of the frame as it is
+    double together = none;   ///< error of the reference with every part in it that has a value alone
+    double remaining = none;  ///< error of the frame with every part exact: what the parts do not explain
+    double noise = none;      ///< of the reference: its error against itself with other random numbers
+    double unmodelled = none; ///< what light between surfaces changes in the reference; neither side of `total` has it
 };
 
 /// Sum over the rows that have a value; none when no row has one.

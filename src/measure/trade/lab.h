@@ -16,10 +16,10 @@ namespace tarn {
 
 /// What a frame costs. All in milliseconds.
 struct Price {
-    /// Of a frame, wall time. Where targets are drawn in some frames only, which differ by design, the mean stands for the
-    /// median, here and in the ratio.
+    /// Of a frame, wall time. Where targets are drawn in some frames only, which differ by design, the mean stands for
+    /// the median, here and in the ratio.
     double median = 0.0, p95 = 0.0;
-    double cpu = 0.0;               ///< of the process, median
+    double cpu = 0.0;   ///< of the process, median
     double ratio = 1.0; ///< to the first point of the batch, median over frames that were neighbours
     struct Pass {
         std::string name;

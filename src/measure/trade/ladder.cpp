@@ -39,7 +39,8 @@ std::vector<std::string> sweepTexts()
             "caustics.interval=2,4"};
 }
 
-/// Which side of the base's value is the cheaper one: that to which the values go, or, of one value, that where it lies.
+/// Which side of the base's value is the cheaper one: that to which the values go, or, of one value, that where it
+/// lies.
 bool isCheaper(const Sweep& sweep, const std::string& value, double base)
 {
     const double first = rankAt(sweep.key, sweep.values.front()), last = rankAt(sweep.key, sweep.values.back());
@@ -48,8 +49,8 @@ bool isCheaper(const Sweep& sweep, const std::string& value, double base)
 }
 
 /// A swept option with the base's own value among those that a walk may choose.
-SweptOption optionOf(const TradePlan::SweptPoints& swept, const std::vector<PointResult>& results, const PricedError& base,
-                     const std::function<double(const Measured&)>& errorOf)
+SweptOption optionOf(const TradePlan::SweptPoints& swept, const std::vector<PointResult>& results,
+                     const PricedError& base, const std::function<double(const Measured&)>& errorOf)
 {
     SweptOption option{swept.sweep.key, {{"", base.price, base.error}}};
     for (std::size_t i = 0; i < swept.points.size(); ++i) {
@@ -101,7 +102,8 @@ std::vector<TradePoint> ladderWalk(const TradeSetup& setup, const std::vector<Po
     // Few sets of programs, which the sizes' walk takes for the values of one more option.
     const std::vector<WalkStep> sets = thinned(predictedFront(programs, base), programSets);
     SweptOption set{"programs", {{"", base.price, base.error}}};
-    for (std::size_t i = 0; i < sets.size(); ++i) set.values.push_back({std::to_string(i), sets[i].price, sets[i].error});
+    for (std::size_t i = 0; i < sets.size(); ++i)
+        set.values.push_back({std::to_string(i), sets[i].price, sets[i].error});
     sizes.push_back(set);
 
     std::vector<TradePoint> known = setup.plan.points, walk;
@@ -133,7 +135,8 @@ Ladder pickLadder(const TradeSetup& setup, const TradeResults& results,
         priced.push_back({result.mean.price.median, errorOf(result.mean)});
     }
     Ladder ladder;
-    ladder.rungs.push_back({{}, 1.0, base.mean.price.median, base.mean.errors.flip, base.mean.errors.refractionWrong5cm});
+    ladder.rungs.push_back(
+        {{}, 1.0, base.mean.price.median, base.mean.errors.flip, base.mean.errors.refractionWrong5cm});
     std::vector<std::size_t> front = paretoFront(priced);
     std::reverse(front.begin(), front.end()); // from the most accurate
     for (const std::size_t i : front) {
@@ -145,7 +148,8 @@ Ladder pickLadder(const TradeSetup& setup, const TradeResults& results,
                                 std::max(measured.errors.flip, above.flip),
                                 std::max(measured.errors.refractionWrong5cm, above.wrongHits)});
     }
-    if (ladder.rungs.size() < 2) throw Error("no ladder: nothing that was measured is cheaper than the settings themselves");
+    if (ladder.rungs.size() < 2)
+        throw Error("no ladder: nothing that was measured is cheaper than the settings themselves");
     // A scene without water has no hits to be wrong.
     for (Rung& rung : ladder.rungs)
         if (std::isnan(rung.wrongHits)) rung.wrongHits = 0.0;
@@ -169,8 +173,8 @@ std::string ladderText(const TradeSetup& setup, const Ladder& ladder, const std:
                         tomlString(ladder.machine));
     text += "\n[base]\n" + settings(ladder.base);
     for (const Rung& rung : ladder.rungs) {
-        text += fmt::format("\n[[rungs]]\ncost = {:.4f}\nmilliseconds = {:.1f}\nflip = {:.4f}\nwrong_hits = {:.4f}\n", rung.cost,
-                            rung.milliseconds, rung.flip, rung.wrongHits);
+        text += fmt::format("\n[[rungs]]\ncost = {:.4f}\nmilliseconds = {:.1f}\nflip = {:.4f}\nwrong_hits = {:.4f}\n",
+                            rung.cost, rung.milliseconds, rung.flip, rung.wrongHits);
         if (!rung.settings.empty()) text += "[rungs.settings]\n" + settings(rung.settings);
     }
     return text;

@@ -1,8 +1,8 @@
 // A ladder for the governor (plan/ladder.h), out of a trade of its own.
 //
 // The plan sweeps, one at a time, what makes a frame cheaper than the base. The walk combines: sizes and counts freely,
-// but of what needs programs of its own (plan/ladder.h, isSizeOnly) only few sets, so that moving along the ladder seldom
-// changes programs. What it proposes is measured; the rungs are the front of that.
+// but of what needs programs of its own (plan/ladder.h, isSizeOnly) only few sets, so that moving along the ladder
+// seldom changes programs. What it proposes is measured; the rungs are the front of that.
 #pragma once
 
 #include "measure/trade/results.h"
@@ -21,7 +21,8 @@ std::vector<TradePoint> ladderWalk(const TradeSetup& setup, const std::vector<Po
                                    const std::function<double(const Measured&)>& errorOf);
 
 /// From the base down the front of time against error; a rung costs clearly less than the one before. An error that was
-/// measured to be smaller than a dearer rung's is written as that one's. Throws Error when nothing is cheaper than the base.
+/// measured to be smaller than a dearer rung's is written as that one's. Throws Error when nothing is cheaper than the
+/// base.
 Ladder pickLadder(const TradeSetup& setup, const TradeResults& results,
                   const std::function<double(const Measured&)>& errorOf);
 

@@ -16,16 +16,14 @@ std::string idOf(const Changes& changes)
 {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const auto& [key, value] : changes)
-        for (const char c : key + "=" + value + "\n")
-            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+        for (const char c : key + "=" + value + "\n") hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     return fmt::format("{:012x}", hash & 0xffffffffffffu);
 }
 
 std::string labelOf(const Changes& changes)
 {
     std::string label;
-    for (const auto& [key, value] : changes)
-        label += fmt::format("{}{}={}", label.empty() ? "" : ", ", key, value);
+    for (const auto& [key, value] : changes) label += fmt::format("{}{}={}", label.empty() ? "" : ", ", key, value);
     return label.empty() ? "base" : label;
 }
 
@@ -34,8 +32,7 @@ void planSweeps(TradePlan& plan, const std::vector<Sweep>& sweeps, const Describ
     for (const Sweep& sweep : sweeps) {
         TradePlan::SweptPoints swept{sweep, {}};
         for (const std::string& value : sweep.values)
-            swept.points.push_back(
-                addPoint(plan.points, makePoint(sweep.changes(value), "", "sweep", describe)));
+            swept.points.push_back(addPoint(plan.points, makePoint(sweep.changes(value), "", "sweep", describe)));
         plan.sweeps.push_back(std::move(swept));
     }
 }
@@ -62,8 +59,7 @@ void planGrid(TradePlan& plan, const std::vector<Sweep>& sweeps, const DescribeS
 
 } // namespace
 
-TradePoint makePoint(const Changes& changes, std::string label, std::string origin,
-                     const DescribeSettings& describe)
+TradePoint makePoint(const Changes& changes, std::string label, std::string origin, const DescribeSettings& describe)
 {
     const std::vector<FieldRow> before = describe({}, origin);
     const std::vector<FieldRow> after = describe(changes, origin);
@@ -117,8 +113,10 @@ TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe
 {
     const bool isDefault = request.sweeps.empty();
     std::vector<Sweep> sweeps;
-    if (request.ladder) sweeps = cheaperSweeps(describe);
-    else if (!request.presetsOnly) sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
+    if (request.ladder)
+        sweeps = cheaperSweeps(describe);
+    else if (!request.presetsOnly)
+        sweeps = parseSweeps(isDefault ? defaultSweeps() : request.sweeps, describe);
     if (request.grid && isDefault) throw UsageError("--grid needs at least one --sweep KEY=VALUES");
     if (request.presetsOnly && !isDefault) throw UsageError("--presets-only sweeps nothing; leave --sweep away");
     TradePlan plan;
@@ -129,8 +127,8 @@ TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe
         planSweeps(plan, sweeps, describe);
     }
     for (const Preset& preset : request.presets)
-        plan.presets.emplace_back(
-            preset.name, addPoint(plan.points, makePoint(preset.changes, preset.name, "preset", describe)));
+        plan.presets.emplace_back(preset.name,
+                                  addPoint(plan.points, makePoint(preset.changes, preset.name, "preset", describe)));
     plan.walk = isDefault && !request.presetsOnly;
     plan.ladder = request.ladder;
     return plan;

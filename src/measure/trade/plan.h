@@ -30,7 +30,7 @@ struct TradePlan {
     std::vector<SweptPoints> sweeps;                          ///< one at a time; empty with a grid
     std::vector<std::pair<std::string, std::size_t>> presets; ///< name, point
     bool walk = false;                                        ///< combined points are to follow
-    bool ladder = false; ///< they are to be rungs (measure/trade/ladder.h)
+    bool ladder = false;                                      ///< they are to be rungs (measure/trade/ladder.h)
 
     const TradePoint& base() const { return points.front(); }
 };
@@ -45,8 +45,8 @@ struct PlanRequest {
     std::vector<std::string> sweeps; ///< --sweep, as written; empty: the default plan, with presets and walk
     bool grid = false;               ///< every combination instead of one option at a time
     std::vector<Preset> presets;
-    bool presetsOnly = false;        ///< no sweeps: the base and the presets
-    bool ladder = false;             ///< what makes a frame cheaper, and combinations of it
+    bool presetsOnly = false; ///< no sweeps: the base and the presets
+    bool ladder = false;      ///< what makes a frame cheaper, and combinations of it
 };
 
 /// Throws UsageError for a sweep that cannot be, and when a grid has more than 10000 points.
@@ -56,8 +56,7 @@ TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe
 std::vector<std::string> defaultSweeps();
 
 /// The point with these changes over the base; changes that change nothing are left out.
-TradePoint makePoint(const Changes& changes, std::string label, std::string origin,
-                     const DescribeSettings& describe);
+TradePoint makePoint(const Changes& changes, std::string label, std::string origin, const DescribeSettings& describe);
 
 /// Adds the point unless its configuration is there already. Returns where it is.
 std::size_t addPoint(std::vector<TradePoint>& points, TradePoint point);

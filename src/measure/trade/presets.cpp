@@ -33,11 +33,9 @@ std::optional<PricedError> thesisPoint(const TradeSetup& setup, const TradeResul
 std::vector<std::string> presetKeys(const TradePlan& plan, const std::vector<FieldRow>& rows)
 {
     std::set<std::string> wanted;
-    for (const TradePlan::SweptPoints& swept : plan.sweeps)
-        wanted.insert(swept.sweep.key);
+    for (const TradePlan::SweptPoints& swept : plan.sweeps) wanted.insert(swept.sweep.key);
     for (const TradePoint& point : plan.points)
-        for (const auto& [key, value] : point.changes)
-            wanted.insert(key);
+        for (const auto& [key, value] : point.changes) wanted.insert(key);
     std::vector<std::string> keys;
     for (const FieldRow& row : rows)
         if (wanted.count(row.key) > 0) keys.push_back(row.key);
@@ -75,7 +73,8 @@ std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults&
     if (const std::optional<PricedError> thesis = thesisPoint(setup, results)) {
         for (const std::size_t i : front) // errors fall along the front
             if (price(i) <= thesis->price) low = i;
-        const auto first = std::find_if(front.begin(), front.end(), [&](std::size_t i) { return flip(i) <= thesis->error; });
+        const auto first =
+            std::find_if(front.begin(), front.end(), [&](std::size_t i) { return flip(i) <= thesis->error; });
         if (first != front.end()) fast = *first;
     }
     if (setup.plan.ladder) return {{"fast", fast}}; // nothing dearer than the base was measured
@@ -99,32 +98,27 @@ std::string optionsText(const std::vector<FieldRow>& rows, const std::vector<std
         if (std::find(keys.begin(), keys.end(), row.key) == keys.end()) continue;
         const std::size_t dot = row.key.rfind('.');
         const std::string name = row.key.substr(0, dot);
-        auto group =
-            std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == name; });
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == name; });
         if (group == groups.end()) group = groups.insert(groups.end(), {name, fmt::format("\n[{}]\n", name)});
         group->second += fmt::format("{} = {}\n", row.key.substr(dot + 1), tomlValue(row));
     }
     std::string text;
-    for (const auto& [name, lines] : groups)
-        text += lines;
+    for (const auto& [name, lines] : groups) text += lines;
     return text;
 }
 
 std::string measuredText(const Measured& measured)
 {
-    std::string text =
-        fmt::format("{:.1f} ms a frame, mean FLIP {:.4f}", measured.price.median, measured.errors.flip);
+    std::string text = fmt::format("{:.1f} ms a frame, mean FLIP {:.4f}", measured.price.median, measured.errors.flip);
     if (!std::isnan(measured.errors.refractionMedian))
         text += fmt::format(", refraction hit error {:.3g} m (median)", measured.errors.refractionMedian);
     return text;
 }
 
-std::string presetText(const TradeSetup& setup, const TradePoint& point,
-                       const std::vector<std::string>& comment)
+std::string presetText(const TradeSetup& setup, const TradePoint& point, const std::vector<std::string>& comment)
 {
     std::string text;
-    for (const std::string& line : comment)
-        text += fmt::format("# {}\n", line);
+    for (const std::string& line : comment) text += fmt::format("# {}\n", line);
     const std::vector<FieldRow> rows = setup.describe(point.changes, "preset");
     return text + optionsText(rows, presetKeys(setup.plan, rows));
 }

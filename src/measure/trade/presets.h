@@ -1,8 +1,8 @@
 // Presets out of a trade: few settings that stand for the whole front.
 //
 // All five are points of the Pareto front of mean time against mean FLIP. `best` has the least error. `fast` is the
-// cheapest that is no less accurate than the thesis' settings, or the cheapest of all where they were not measured. `low`
-// is the most accurate that costs no more than the thesis' settings, or the cheapest where the thesis was not
+// cheapest that is no less accurate than the thesis' settings, or the cheapest of all where they were not measured.
+// `low` is the most accurate that costs no more than the thesis' settings, or the cheapest where the thesis was not
 // measured. The way between their prices is cut into three equal factors: `medium` and `high` are the most
 // accurate points that cost no more than the first and the second cut.
 #pragma once
@@ -19,7 +19,8 @@ struct PresetPick {
     std::size_t point = 0; ///< index into the results
 };
 
-/// fast, low, medium, high, best; of a ladder's plan, which measures nothing dearer than the base, fast alone. Throws Error when no point has both a price and an error.
+/// fast, low, medium, high, best; of a ladder's plan, which measures nothing dearer than the base, fast alone. Throws
+/// Error when no point has both a price and an error.
 std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults& results);
 
 /// "12.3 ms a frame, mean FLIP 0.0456, …", for people.
@@ -27,8 +28,7 @@ std::string measuredText(const Measured& measured);
 
 /// A file for --options: every option that the plan's sweeps and presets know, whatever the base.
 /// @param comment lines at its head
-std::string presetText(const TradeSetup& setup, const TradePoint& point,
-                       const std::vector<std::string>& comment);
+std::string presetText(const TradeSetup& setup, const TradePoint& point, const std::vector<std::string>& comment);
 
 /// As a TOML file writes it.
 std::string tomlValue(const FieldRow& row);

@@ -31,10 +31,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 }
 
 /// JavaScript that may stand inside <script>: only within strings can it hold the closing tag.
-std::string scriptText(const std::filesystem::path& file)
-{
-    return replaced(readFile(file), "</script", "<\\/script");
-}
+std::string scriptText(const std::filesystem::path& file) { return replaced(readFile(file), "</script", "<\\/script"); }
 
 std::string htmlText(const std::string& text)
 {
@@ -68,8 +65,7 @@ json picturesJson(const TradeSetup& setup, const TradeStore& store)
 json withoutTimes(json data)
 {
     for (json& point : data["points"])
-        for (json& view : point["views"])
-            view.erase("times");
+        for (json& view : point["views"]) view.erase("times");
     return data;
 }
 

@@ -32,8 +32,7 @@ Price scaled(Price price, double factor)
     price.median *= factor;
     price.p95 *= factor;
     price.cpu *= factor;
-    for (Price::Pass& pass : price.passes)
-        pass.median *= factor;
+    for (Price::Pass& pass : price.passes) pass.median *= factor;
     return price;
 }
 
@@ -57,8 +56,7 @@ Price related(const Price& price, const ViewPrices& prices)
 double mean(std::span<const Measured> views, double Price::*member)
 {
     double sum = 0.0;
-    for (const Measured& view : views)
-        sum += view.price.*member;
+    for (const Measured& view : views) sum += view.price.*member;
     return sum / static_cast<double>(views.size());
 }
 
@@ -68,11 +66,9 @@ std::vector<Price::Pass> meanPasses(std::span<const Measured> views)
     std::vector<Price::Pass> passes;
     for (const Measured& view : views)
         for (const Price::Pass& pass : view.price.passes) {
-            const auto found = std::find_if(passes.begin(), passes.end(), [&](const Price::Pass& other) {
-                return other.name == pass.name;
-            });
-            Price::Pass& sum =
-                found != passes.end() ? *found : passes.emplace_back(Price::Pass{pass.name, 0.0});
+            const auto found = std::find_if(passes.begin(), passes.end(),
+                                            [&](const Price::Pass& other) { return other.name == pass.name; });
+            Price::Pass& sum = found != passes.end() ? *found : passes.emplace_back(Price::Pass{pass.name, 0.0});
             sum.median += pass.median / static_cast<double>(views.size());
         }
     return passes;
@@ -82,8 +78,7 @@ std::vector<Price::Pass> meanPasses(std::span<const Measured> views)
 Measured meanOf(std::span<const Measured> views, std::span<const Measured> timed)
 {
     std::vector<ErrorFigures> figures;
-    for (const Measured& view : views)
-        figures.push_back(view.errors);
+    for (const Measured& view : views) figures.push_back(view.errors);
     Measured result;
     result.errors = meanFigures(figures);
     result.price = {mean(timed, &Price::median), mean(timed, &Price::p95), mean(timed, &Price::cpu),
@@ -106,14 +101,11 @@ public:
         std::map<std::string, PointResult> byId;
         for (const TradePoint& point : points) {
             const std::vector<ErrorFigures> unknown(setup_.times.size());
-            byId[point.id] = {
-                point, std::vector<Measured>(setup_.views.size()), {}, {setup_.views.size(), unknown}};
+            byId[point.id] = {point, std::vector<Measured>(setup_.views.size()), {}, {setup_.views.size(), unknown}};
         }
-        for (const TradeUnit& unit : measuringUnits(setup_, points))
-            read(unit, byId);
+        for (const TradeUnit& unit : measuringUnits(setup_, points)) read(unit, byId);
         std::vector<PointResult> results;
-        for (const TradePoint& point : points)
-            results.push_back(finished(std::move(byId[point.id])));
+        for (const TradePoint& point : points) results.push_back(finished(std::move(byId[point.id])));
         return results;
     }
 
@@ -138,8 +130,7 @@ private:
         for (std::size_t view = 0; view < setup_.views.size(); ++view) {
             result.views[view].errors = meanFigures(result.byTime[view]);
             const auto price = prices_[view].byId.find(result.point.id);
-            if (price != prices_[view].byId.end())
-                result.views[view].price = related(price->second, prices_[view]);
+            if (price != prices_[view].byId.end()) result.views[view].price = related(price->second, prices_[view]);
         }
         std::vector<Measured> timed;
         for (std::size_t view = 0; view < setup_.views.size(); ++view)
@@ -161,8 +152,7 @@ public:
     {
         for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
             for (const std::size_t point : swept.points)
-                for (Term& term : terms_)
-                    term.take(results[point].mean.errors.*term.member);
+                for (Term& term : terms_) term.take(results[point].mean.errors.*term.member);
     }
 
     double operator()(const Measured& measured) const
@@ -175,7 +165,7 @@ public:
 
 private:
     struct Term {
-        double ErrorFigures::* member;
+        double ErrorFigures::*member;
         double least = std::numeric_limits<double>::infinity();
         double most = -std::numeric_limits<double>::infinity();
 
@@ -231,8 +221,7 @@ TradeResults collectResults(const TradeSetup& setup, const TradeStore& store)
     if (collector.done == collector.total) {
         const std::vector<TradePoint> walk = walkPoints(setup, results.points);
         if (!walk.empty())
-            for (PointResult& result : collector.collect(walk))
-                results.points.push_back(std::move(result));
+            for (PointResult& result : collector.collect(walk)) results.points.push_back(std::move(result));
     }
     results.machines.assign(collector.machines.begin(), collector.machines.end());
     results.budgets.resize(setup.views.size());

@@ -32,7 +32,7 @@ struct TradeResults {
     std::vector<PointResult> points; ///< the plan's, in its order, then the walk's
     std::vector<std::string> machines;
     std::vector<std::optional<ErrorBudget>> budgets; ///< one for each view
-    std::size_t done = 0, total = 0; ///< units; what is missing in total is not known before the walk
+    std::size_t done = 0, total = 0;                 ///< units; what is missing in total is not known before the walk
     bool complete() const { return done == total; }
 };
 

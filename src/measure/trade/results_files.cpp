@@ -17,8 +17,7 @@ std::string csvText(const std::string& text)
 {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string result = "\"";
-    for (const char c : text)
-        result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
     return result + "\"";
 }
 
@@ -28,16 +27,15 @@ std::string csvNumber(double value) { return std::isfinite(value) ? fmt::format(
 std::string changesText(const Changes& changes)
 {
     std::string text;
-    for (const auto& [key, value] : changes)
-        text += fmt::format("{}{}={}", text.empty() ? "" : " ", key, value);
+    for (const auto& [key, value] : changes) text += fmt::format("{}{}={}", text.empty() ? "" : " ", key, value);
     return text;
 }
 
 std::string csvRow(const TradePoint& point, const std::string& view, const Measured& measured)
 {
-    std::string row = fmt::format("{},{},{},{},{},{},{}", point.id, csvText(point.label), point.origin,
-                                  csvText(view), csvNumber(measured.price.median),
-                                  csvNumber(measured.price.p95), csvNumber(measured.price.cpu));
+    std::string row =
+        fmt::format("{},{},{},{},{},{},{}", point.id, csvText(point.label), point.origin, csvText(view),
+                    csvNumber(measured.price.median), csvNumber(measured.price.p95), csvNumber(measured.price.cpu));
     for (const FigureField& field : errorFigureFields())
         row += fmt::format(",{}", csvNumber(measured.errors.*field.member));
     return fmt::format("{},{}\n", row, csvText(changesText(point.changes)));
@@ -55,16 +53,11 @@ json pointJson(const TradeSetup& setup, const PointResult& result)
         json entry = measuredJson(result.views[view]);
         entry["view"] = setup.views[view];
         for (std::size_t time = 0; time < setup.times.size(); ++time)
-            entry["times"].push_back(
-                {{"time", setup.times[time]}, {"errors", toJson(result.byTime[view][time])}});
+            entry["times"].push_back({{"time", setup.times[time]}, {"errors", toJson(result.byTime[view][time])}});
         views.push_back(std::move(entry));
     }
-    return {{"id", result.point.id},
-            {"label", result.point.label},
-            {"origin", result.point.origin},
-            {"changes", result.point.changes},
-            {"mean", measuredJson(result.mean)},
-            {"views", std::move(views)}};
+    return {{"id", result.point.id},           {"label", result.point.label},       {"origin", result.point.origin},
+            {"changes", result.point.changes}, {"mean", measuredJson(result.mean)}, {"views", std::move(views)}};
 }
 
 /// For each figure the ids of its front: over the mean first, then in each view.
@@ -72,8 +65,7 @@ json frontsJson(const TradeSetup& setup, const TradeResults& results)
 {
     const auto ids = [&](const std::vector<std::size_t>& front) {
         json list = json::array();
-        for (const std::size_t i : front)
-            list.push_back(results.points[i].point.id);
+        for (const std::size_t i : front) list.push_back(results.points[i].point.id);
         return list;
     };
     json fronts = json::object();
@@ -102,10 +94,8 @@ json sweepsJson(const TradePlan& plan)
     json list = json::array();
     for (const TradePlan::SweptPoints& swept : plan.sweeps) {
         json ids = json::array();
-        for (const std::size_t i : swept.points)
-            ids.push_back(plan.points[i].id);
-        list.push_back(
-            {{"key", swept.sweep.title()}, {"values", swept.sweep.values}, {"points", std::move(ids)}});
+        for (const std::size_t i : swept.points) ids.push_back(plan.points[i].id);
+        list.push_back({{"key", swept.sweep.title()}, {"values", swept.sweep.values}, {"points", std::move(ids)}});
     }
     return list;
 }
@@ -115,8 +105,7 @@ json sweepsJson(const TradePlan& plan)
 std::string toCsv(const TradeSetup& setup, const TradeResults& results)
 {
     std::string csv = "id,label,origin,view,median_ms,p95_ms,cpu_ms";
-    for (const FigureField& field : errorFigureFields())
-        csv += fmt::format(",{}", field.name);
+    for (const FigureField& field : errorFigureFields()) csv += fmt::format(",{}", field.name);
     csv += ",changes\n";
     for (const PointResult& result : results.points) {
         csv += csvRow(result.point, "mean", result.mean);
@@ -130,17 +119,14 @@ json toJson(const TradeSetup& setup, const TradeResults& results, const std::str
 {
     json about = setup.about;
     json base = json::object();
-    for (const FieldRow& row : setup.describe({}, "base"))
-        base[row.key] = row.value;
+    for (const FieldRow& row : setup.describe({}, "base")) base[row.key] = row.value;
     json points = json::array();
-    for (const PointResult& result : results.points)
-        points.push_back(pointJson(setup, result));
+    for (const PointResult& result : results.points) points.push_back(pointJson(setup, result));
     json presets = json::array();
     for (const auto& [name, index] : setup.plan.presets)
         presets.push_back({{"name", name}, {"point", setup.plan.points[index].id}});
     json budgets = json::array();
-    for (const auto& budget : results.budgets)
-        budgets.push_back(budget ? toJson(*budget) : json(nullptr));
+    for (const auto& budget : results.budgets) budgets.push_back(budget ? toJson(*budget) : json(nullptr));
     return {{"about", about},
             {"command", command},
             {"machines", results.machines},

@@ -45,13 +45,11 @@ private:
     std::vector<const TradeUnit*> mine(const std::vector<TradeUnit>& units) const
     {
         double total = 0.0, before = 0.0;
-        for (const TradeUnit& unit : units)
-            total += unit.work();
+        for (const TradeUnit& unit : units) total += unit.work();
         std::vector<const TradeUnit*> part;
         for (const TradeUnit& unit : units) {
             const double middle = before + 0.5 * unit.work();
-            if (1 + static_cast<int>(middle / total * arguments_.shards) == arguments_.shard)
-                part.push_back(&unit);
+            if (1 + static_cast<int>(middle / total * arguments_.shards) == arguments_.shard) part.push_back(&unit);
             before += unit.work();
         }
         return part;
@@ -60,16 +58,12 @@ private:
     void measure(const TradeUnit& unit)
     {
         switch (unit.kind) {
-        case TradeUnit::Kind::errors:
-            return measureErrors(unit);
-        case TradeUnit::Kind::prices:
-            return measurePrices(unit);
-        case TradeUnit::Kind::pictures:
-            return makePictures(unit);
+        case TradeUnit::Kind::errors: return measureErrors(unit);
+        case TradeUnit::Kind::prices: return measurePrices(unit);
+        case TradeUnit::Kind::pictures: return makePictures(unit);
         case TradeUnit::Kind::budget:
             const std::optional<ErrorBudget> budget = lab_.budget(unit.view);
-            return store_.writeJson(unit.name() + ".json",
-                                    budget ? toJson(*budget) : nlohmann::json(nullptr));
+            return store_.writeJson(unit.name() + ".json", budget ? toJson(*budget) : nlohmann::json(nullptr));
         }
     }
 
@@ -89,13 +83,11 @@ private:
     {
         const std::vector<Price> prices = lab_.prices(unit.points, unit.view);
         if (prices.size() != unit.points.size())
-            throw Error("{} prices for {} settings; this is a fault of the program", prices.size(),
-                        unit.points.size());
+            throw Error("{} prices for {} settings; this is a fault of the program", prices.size(), unit.points.size());
         nlohmann::json points = nlohmann::json::array();
         for (std::size_t i = 0; i < prices.size(); ++i)
-            points.push_back({{"id", unit.points[i].id},
-                              {"changes", unit.points[i].changes},
-                              {"price", toJson(prices[i])}});
+            points.push_back(
+                {{"id", unit.points[i].id}, {"changes", unit.points[i].changes}, {"price", toJson(prices[i])}});
         store_.writeJson(
             unit.name() + ".json",
             {{"machine", lab_.machine()}, {"view", setup_.views[unit.view]}, {"points", std::move(points)}});
@@ -127,8 +119,7 @@ RunOutcome runTrade(const TradeSetup& setup, TradeStore& store, TradeLab& lab, c
 {
     Runner runner(setup, store, lab, arguments);
     std::vector<TradeUnit> units = measuringUnits(setup, setup.plan.points);
-    for (TradeUnit& unit : showingUnits(setup))
-        units.push_back(std::move(unit));
+    for (TradeUnit& unit : showingUnits(setup)) units.push_back(std::move(unit));
     // View by view, so that a lab need not keep more than one reference.
     std::stable_sort(units.begin(), units.end(),
                      [](const TradeUnit& a, const TradeUnit& b) { return a.view < b.view; });

@@ -13,8 +13,7 @@ TradeKey keyOf(const TradeSetup& setup)
     key["views"] = fmt::format("{}", fmt::join(setup.views, ", "));
     key["times"] = fmt::format("{}{}", fmt::join(setup.times, ", "), setup.takesTurns ? ", in turns" : "");
     std::string plan = setup.plan.walk ? "with walk" : "without walk";
-    for (const TradePoint& point : setup.plan.points)
-        plan += fmt::format(" {} {}", point.id, point.origin);
+    for (const TradePoint& point : setup.plan.points) plan += fmt::format(" {} {}", point.id, point.origin);
     key["plan"] = plan;
     return key;
 }
@@ -34,8 +33,7 @@ std::string batchName(const std::vector<TradePoint>& points)
 {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const TradePoint& point : points)
-        for (const char c : point.id)
-            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+        for (const char c : point.id) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     return fmt::format("{:016x}", hash);
 }
 
@@ -56,14 +54,10 @@ std::vector<std::vector<TradePoint>> batchesOf(const TradePoint& base, std::span
 std::string TradeUnit::name() const
 {
     switch (kind) {
-    case Kind::errors:
-        return fmt::format("errors-{}-view{}-time{}", points.front().id, view, time);
-    case Kind::prices:
-        return fmt::format("prices-{}-view{}", batchName(points), view);
-    case Kind::pictures:
-        return fmt::format("pictures-{}-view{}", points.front().id, view);
-    case Kind::budget:
-        break;
+    case Kind::errors: return fmt::format("errors-{}-view{}-time{}", points.front().id, view, time);
+    case Kind::prices: return fmt::format("prices-{}-view{}", batchName(points), view);
+    case Kind::pictures: return fmt::format("pictures-{}-view{}", points.front().id, view);
+    case Kind::budget: break;
     }
     return fmt::format("budget-view{}", view);
 }
@@ -72,14 +66,10 @@ std::string TradeUnit::text(const TradeSetup& setup) const
 {
     const std::string& where = setup.views[view];
     switch (kind) {
-    case Kind::errors:
-        return fmt::format("errors of {}, {}", points.front().label, where);
-    case Kind::prices:
-        return fmt::format("prices of {} settings, {}", points.size(), where);
-    case Kind::pictures:
-        return fmt::format("pictures of {}, {}", points.front().label, where);
-    case Kind::budget:
-        break;
+    case Kind::errors: return fmt::format("errors of {}, {}", points.front().label, where);
+    case Kind::prices: return fmt::format("prices of {} settings, {}", points.size(), where);
+    case Kind::pictures: return fmt::format("pictures of {}, {}", points.front().label, where);
+    case Kind::budget: break;
     }
     return fmt::format("error budget, {}", where);
 }
@@ -88,12 +78,9 @@ double TradeUnit::work() const
 {
     switch (kind) {
     case Kind::errors:
-    case Kind::pictures:
-        return 1.0;
-    case Kind::prices:
-        return 4.0 * static_cast<double>(points.size());
-    case Kind::budget:
-        break;
+    case Kind::pictures: return 1.0;
+    case Kind::prices: return 4.0 * static_cast<double>(points.size());
+    case Kind::budget: break;
     }
     return 20.0;
 }
@@ -104,8 +91,7 @@ std::vector<TradeUnit> measuringUnits(const TradeSetup& setup, std::span<const T
     // Points change fastest: a reference is made once for a view and a time.
     for (std::size_t view = 0; view < setup.views.size(); ++view)
         for (const std::size_t time : setup.timesOf(view))
-            for (const TradePoint& point : points)
-                units.push_back({TradeUnit::Kind::errors, {point}, view, time});
+            for (const TradePoint& point : points) units.push_back({TradeUnit::Kind::errors, {point}, view, time});
     for (std::size_t view = 0; view < setup.views.size(); ++view) {
         if (!setup.isTimed(view)) continue;
         for (std::vector<TradePoint>& batch : batchesOf(setup.plan.base(), points))
@@ -117,8 +103,7 @@ std::vector<TradeUnit> measuringUnits(const TradeSetup& setup, std::span<const T
 std::vector<TradePoint> picturedPoints(const TradePlan& plan)
 {
     std::vector<TradePoint> points{plan.base()};
-    for (const auto& [name, index] : plan.presets)
-        addPoint(points, plan.points[index]);
+    for (const auto& [name, index] : plan.presets) addPoint(points, plan.points[index]);
     return points;
 }
 

@@ -21,7 +21,7 @@ struct TradeSetup {
     bool isTimed(std::size_t view) const { return !takesTurns || view % 2 == 0; }
 
     std::vector<std::size_t> timesOf(std::size_t view) const;
-    TradeKey about;                 ///< scene, size, version, base: what the program knows of the run
+    TradeKey about; ///< scene, size, version, base: what the program knows of the run
 };
 
 /// `about`, the plan, the views and the times: what results in one folder must have in common.

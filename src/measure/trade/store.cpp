@@ -14,10 +14,7 @@ namespace {
 constexpr auto keyFile = "trade.json";
 
 /// Long values (settings, plans) are not for a message of one line.
-std::string shown(const std::string& value)
-{
-    return value.size() <= 60 ? fmt::format("'{}'", value) : "another";
-}
+std::string shown(const std::string& value) { return value.size() <= 60 ? fmt::format("'{}'", value) : "another"; }
 
 void requireSameKey(const fs::path& folder, const TradeKey& there, const TradeKey& wanted, const char* advice)
 {
@@ -26,8 +23,8 @@ void requireSameKey(const fs::path& folder, const TradeKey& there, const TradeKe
         if (found == there.end())
             throw Error("{}: its results do not tell their {}; {}", folder.string(), name, advice);
         if (found->second != value)
-            throw Error("{}: its results are of {} {}, not {}; {}", folder.string(), shown(found->second),
-                        name, shown(value), advice);
+            throw Error("{}: its results are of {} {}, not {}; {}", folder.string(), shown(found->second), name,
+                        shown(value), advice);
     }
 }
 
@@ -44,8 +41,7 @@ TradeKey readTradeKey(const fs::path& folder)
     }
 }
 
-TradeStore::TradeStore(fs::path folder, const TradeKey& key, bool fresh)
-    : folder_(std::move(folder)), key_(key)
+TradeStore::TradeStore(fs::path folder, const TradeKey& key, bool fresh) : folder_(std::move(folder)), key_(key)
 {
     makeFolder(folder_);
     if (fresh) {

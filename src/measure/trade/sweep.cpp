@@ -60,14 +60,12 @@ std::vector<std::string> valuesOf(const Range& range, std::string_view whole)
 {
     const bool grows = range.geometric ? range.step > 1.0 && range.first > 0.0 : range.step > 0.0;
     if (!grows || range.last < range.first)
-        throw UsageError("{} {}: a range goes up: FIRST:LAST, FIRST:LAST:STEP or FIRST:LAST:*FACTOR", origin,
-                         whole);
+        throw UsageError("{} {}: a range goes up: FIRST:LAST, FIRST:LAST:STEP or FIRST:LAST:*FACTOR", origin, whole);
     std::vector<std::string> values;
     // Each is worked out from the first, so that rounding does not add up; the last may miss by as little.
     for (std::size_t i = 0;; ++i) {
         const double n = static_cast<double>(i);
-        const double value =
-            range.geometric ? range.first * std::pow(range.step, n) : range.first + n * range.step;
+        const double value = range.geometric ? range.first * std::pow(range.step, n) : range.first + n * range.step;
         if (value > range.last + 1e-9 * std::abs(range.last)) return values;
         if (values.size() == mostValues)
             throw UsageError("{} {}: more than {} values; take larger steps", origin, whole, mostValues);
@@ -101,8 +99,7 @@ Changes Sweep::changes(const std::string& value) const
 std::string Sweep::title() const
 {
     std::string others;
-    for (const auto& [other, value] : with)
-        others += fmt::format("{}{}={}", others.empty() ? "" : ", ", other, value);
+    for (const auto& [other, value] : with) others += fmt::format("{}{}={}", others.empty() ? "" : ", ", other, value);
     return others.empty() ? key : fmt::format("{} ({})", key, others);
 }
 
@@ -131,8 +128,7 @@ std::vector<Sweep> parseSweeps(const std::vector<std::string>& texts, const Desc
         Sweep sweep = parseSweep(text, describe);
         for (const Sweep& other : sweeps)
             if (other.title() == sweep.title())
-                throw UsageError("{} {}: {} is swept twice; give all its values at once", origin, text,
-                                 sweep.title());
+                throw UsageError("{} {}: {} is swept twice; give all its values at once", origin, text, sweep.title());
         sweeps.push_back(std::move(sweep));
     }
     return sweeps;

@@ -22,8 +22,7 @@ namespace tarn {
 using Changes = std::map<std::string, std::string>;
 
 /// Every option as it is with these changes over the base. Throws UsageError as assign() does, with `origin`.
-using DescribeSettings =
-    std::function<std::vector<FieldRow>(const Changes& changes, const std::string& origin)>;
+using DescribeSettings = std::function<std::vector<FieldRow>(const Changes& changes, const std::string& origin)>;
 
 struct Sweep {
     std::string key;

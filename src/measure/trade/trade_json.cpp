@@ -8,16 +8,12 @@ using nlohmann::json;
 
 json numberJson(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
-double numberFrom(const json& number)
-{
-    return number.is_number() ? number.get<double>() : ErrorFigures::none;
-}
+double numberFrom(const json& number) { return number.is_number() ? number.get<double>() : ErrorFigures::none; }
 
 json toJson(const ErrorFigures& figures)
 {
     json result = json::object();
-    for (const FigureField& field : errorFigureFields())
-        result[field.name] = numberJson(figures.*field.member);
+    for (const FigureField& field : errorFigureFields()) result[field.name] = numberJson(figures.*field.member);
     return result;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double timeTolerance = 0.02;
 constexpr std::array<std::ptrdiff_t, 8> aboutGoal{-64, -16, -4, -1, 0, 4, 16, 64}; ///< predicted ones that are measured
-constexpr int mostPasses = 3;           ///< of polishing
+constexpr int mostPasses = 3;                                                      ///< of polishing
 
 bool reaches(const TuneGoal& goal, const Tuned& tuned)
 {
@@ -41,13 +41,12 @@ public:
         expected_ += static_cast<double>(wanted.size());
         for (std::size_t i = 0; i < wanted.size(); i += pointsOfBatch) {
             const std::size_t end = std::min(i + pointsOfBatch, wanted.size());
-            measureBatch({wanted.begin() + static_cast<std::ptrdiff_t>(i),
-                          wanted.begin() + static_cast<std::ptrdiff_t>(end)},
-                         what);
+            measureBatch(
+                {wanted.begin() + static_cast<std::ptrdiff_t>(i), wanted.begin() + static_cast<std::ptrdiff_t>(end)},
+                what);
         }
         std::vector<Tuned> results;
-        for (const TradePoint& point : points)
-            results.push_back(*find(point.id));
+        for (const TradePoint& point : points) results.push_back(*find(point.id));
         return results;
     }
 
@@ -57,8 +56,7 @@ public:
         const auto known = errors_.find(point.id);
         if (known != errors_.end()) return known->second;
         double sum = 0.0;
-        for (std::size_t view = 0; view < request_.views; ++view)
-            sum += lab_.errors(point, view, request_.time).flip;
+        for (std::size_t view = 0; view < request_.views; ++view) sum += lab_.errors(point, view, request_.time).flip;
         return errors_[point.id] = sum / static_cast<double>(request_.views);
     }
 
@@ -70,8 +68,8 @@ public:
 private:
     const Tuned* find(const std::string& id) const
     {
-        const auto found = std::find_if(known_.begin(), known_.end(),
-                                        [&](const Tuned& tuned) { return tuned.point.id == id; });
+        const auto found =
+            std::find_if(known_.begin(), known_.end(), [&](const Tuned& tuned) { return tuned.point.id == id; });
         return found == known_.end() ? nullptr : &*found;
     }
 
@@ -92,8 +90,7 @@ private:
             const double base = percentile(baseMs_[view], 0.5);
             for (Tuned& result : results) {
                 std::size_t at = 0;
-                while (batch[at].id != result.point.id)
-                    ++at;
+                while (batch[at].id != result.point.id) ++at;
                 result.ms += prices[at].ratio * base / views;
             }
         }
@@ -124,14 +121,11 @@ public:
     TuneOutcome run()
     {
         std::size_t neighbours = 0;
-        for (const Sweep& sweep : request_.sweeps)
-            neighbours += sweep.values.size();
+        for (const Sweep& sweep : request_.sweeps) neighbours += sweep.values.size();
         bench_.expect(request_.candidates.size() + 2 * neighbours + aboutGoal.size());
-        for (const Tuned& tuned : bench_.measure(request_.candidates, "measuring the presets"))
-            take(tuned);
+        for (const Tuned& tuned : bench_.measure(request_.candidates, "measuring the presets")) take(tuned);
         const Tuned start = best_;
-        for (const Tuned& tuned : bench_.measure(combined(start), "measuring combinations"))
-            take(tuned);
+        for (const Tuned& tuned : bench_.measure(combined(start), "measuring combinations")) take(tuned);
         for (int pass = 0; pass < mostPasses && polish(); ++pass) {
         }
         return {best_, reaches(request_.goal, best_), bench_.known().size()};
@@ -163,8 +157,7 @@ private:
         std::vector<SweptOption> options;
         for (const Sweep& sweep : request_.sweeps) {
             SweptOption option{sweep.key, {}};
-            const std::vector<Tuned> measured =
-                bench_.measure(neighbours(start, sweep), "one option at a time");
+            const std::vector<Tuned> measured = bench_.measure(neighbours(start, sweep), "one option at a time");
             for (std::size_t i = 0; i < measured.size(); ++i) {
                 take(measured[i]);
                 option.values.push_back({sweep.values[i], measured[i].ms, measured[i].error});
@@ -174,8 +167,7 @@ private:
         std::vector<TradePoint> points;
         for (const WalkStep& step : nearGoal(predictedFront(options, {start.ms, start.error}))) {
             Changes changes = start.point.changes;
-            for (const auto& [key, value] : step.changes)
-                changes[key] = value;
+            for (const auto& [key, value] : step.changes) changes[key] = value;
             points.push_back(makePoint(changes, "", "tune", request_.describe));
         }
         return points;
@@ -211,8 +203,7 @@ private:
         for (const Sweep& sweep : request_.sweeps) {
             std::vector<TradePoint> points = neighbours(best_, sweep);
             std::erase_if(points, [this](const TradePoint& point) { return !mayWin(bench_.error(point)); });
-            for (const Tuned& tuned : bench_.measure(points, "polishing"))
-                changed |= take(tuned);
+            for (const Tuned& tuned : bench_.measure(points, "polishing")) changed |= take(tuned);
         }
         return changed;
     }

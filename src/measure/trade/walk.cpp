@@ -30,11 +30,9 @@ std::vector<SweptOption> measuredOnly(std::span<const SweptOption> options)
 std::vector<Partial> frontOf(const std::vector<Partial>& partials)
 {
     std::vector<PricedError> points;
-    for (const Partial& partial : partials)
-        points.push_back({partial.price, partial.error});
+    for (const Partial& partial : partials) points.push_back({partial.price, partial.error});
     std::vector<Partial> front;
-    for (const std::size_t i : paretoFront(points))
-        front.push_back(partials[i]);
+    for (const std::size_t i : paretoFront(points)) front.push_back(partials[i]);
     return front;
 }
 
@@ -51,8 +49,7 @@ std::vector<Partial> coarsened(const std::vector<Partial>& front)
     return result;
 }
 
-std::vector<Partial> extended(const std::vector<Partial>& front, const SweptOption& option,
-                              const PricedError& base)
+std::vector<Partial> extended(const std::vector<Partial>& front, const SweptOption& option, const PricedError& base)
 {
     std::vector<Partial> all;
     for (const Partial& partial : front)
@@ -71,15 +68,12 @@ std::vector<double> lengthsAlong(const std::vector<WalkStep>& steps)
 {
     const double prices = steps.back().price - steps.front().price;
     const double errors = steps.front().error - steps.back().error;
-    const auto part = [](double difference, double range) {
-        return range > 0.0 ? std::abs(difference) / range : 0.0;
-    };
+    const auto part = [](double difference, double range) { return range > 0.0 ? std::abs(difference) / range : 0.0; };
     std::vector<double> lengths{0.0};
     for (std::size_t i = 1; i < steps.size(); ++i)
         lengths.push_back(lengths.back() + std::hypot(part(steps[i].price - steps[i - 1].price, prices),
                                                       part(steps[i].error - steps[i - 1].error, errors)));
-    for (double& length : lengths)
-        length = lengths.back() > 0.0 ? length / lengths.back() : 0.0;
+    for (double& length : lengths) length = lengths.back() > 0.0 ? length / lengths.back() : 0.0;
     return lengths;
 }
 
@@ -90,8 +84,7 @@ std::vector<WalkStep> predictedFront(std::span<const SweptOption> options, const
     const std::vector<SweptOption> measured = measuredOnly(options);
     if (measured.empty()) return {};
     std::vector<Partial> front{{{}, base.price, base.error}};
-    for (const SweptOption& option : measured)
-        front = coarsened(frontOf(extended(front, option, base)));
+    for (const SweptOption& option : measured) front = coarsened(frontOf(extended(front, option, base)));
     std::vector<WalkStep> steps;
     for (const Partial& partial : front) {
         WalkStep step{{}, partial.price, partial.error};
@@ -111,8 +104,7 @@ std::vector<WalkStep> thinned(const std::vector<WalkStep>& steps, std::size_t co
     for (std::size_t i = 0; i < count; ++i) {
         const double wanted = static_cast<double>(i) / static_cast<double>(count - 1);
         const std::size_t last = steps.size() - (count - i); // leaves a step for each that is still to come
-        while (next < last && lengths[next] < wanted)
-            ++next;
+        while (next < last && lengths[next] < wanted) ++next;
         result.push_back(steps[next++]);
     }
     return result;

@@ -46,7 +46,8 @@ gl::Program& CausticsPass::photonProgram(const CausticsOptions& options, const I
     if (inputs.shadows) defines.emplace_back("SHADOWS", "1");
     auto& program = photonPrograms_[defines];
     if (!program)
-        program = shaders_.program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag", defines);
+        program =
+            shaders_.program("caustics photons", "passes/fullscreen.vert", "passes/caustics_photons.frag", defines);
     return *program;
 }
 
@@ -89,8 +90,7 @@ std::vector<float> gatherPhotons(const std::vector<float>& photons, int edge, co
 
 void CausticsPass::gatherOnProcessor(const CausticsOptions& options, const vec3& absorption)
 {
-    const std::vector<float> sums =
-        gatherPhotons(photons_.framebuffer().readFloats(), options.textureSize, absorption);
+    const std::vector<float> sums = gatherPhotons(photons_.framebuffer().readFloats(), options.textureSize, absorption);
     gathered_.colour().upload(std::span<const float>(sums), 4);
 }
 
@@ -101,8 +101,8 @@ gl::Program& CausticsPass::gatherProgram(Method method)
         gl::Defines defines;
         if (method == Method::fetch) defines.emplace_back("FETCH", "1");
         if (method == Method::mesh) defines.emplace_back("MESH", "1");
-        program = shaders_.program("caustics gather", "passes/caustics_gather.vert", "passes/caustics_gather.frag",
-                                   defines);
+        program =
+            shaders_.program("caustics gather", "passes/caustics_gather.vert", "passes/caustics_gather.frag", defines);
     }
     return *program;
 }
@@ -120,10 +120,7 @@ void CausticsPass::gatherPoints(const CausticsOptions& options, FrameStats::Pass
     } else if (bare_.label().empty()) {
         bare_ = gl::VertexArray("fetched photons");
     }
-    gl::apply({.depthTest = gl::DepthTest::off,
-               .depthWrite = false,
-               .blend = gl::Blend::add,
-               .shaderPointSize = true});
+    gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false, .blend = gl::Blend::add, .shaderPointSize = true});
     gathered_.bind();
     program.use();
     program.set("textureEdge", static_cast<float>(options.textureSize));
@@ -176,8 +173,7 @@ gl::Program& CausticsPass::filterProgram(const char* axis, int radius)
                               unrolled("EACH_TAP", "TAP", 2 * radius + 1, 2 * radius + 1)};
     auto& program = filterPrograms_[defines];
     if (!program)
-        program =
-            shaders_.program("caustics filter", "passes/fullscreen.vert", "passes/caustics_filter.frag", defines);
+        program = shaders_.program("caustics filter", "passes/fullscreen.vert", "passes/caustics_filter.frag", defines);
     return *program;
 }
 

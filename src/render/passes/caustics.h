@@ -23,11 +23,11 @@ public:
     explicit CausticsPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
     struct Inputs {
-        const gl::Texture& sunDepth; ///< of SunlightPass
-        bool shadows;                ///< of what stands over the water
-        vec3 absorption;                   ///< 1/m, for the method that works on the processor
-        bool surfaceMovesSideways = true;  ///< waves shift the photons' start by more than a part of a cell
-        std::vector<float> waveWeights{};  ///< of each wave: what of it a lattice of photons can carry
+        const gl::Texture& sunDepth;      ///< of SunlightPass
+        bool shadows;                     ///< of what stands over the water
+        vec3 absorption;                  ///< 1/m, for the method that works on the processor
+        bool surfaceMovesSideways = true; ///< waves shift the photons' start by more than a part of a cell
+        std::vector<float> waveWeights{}; ///< of each wave: what of it a lattice of photons can carry
     };
 
     /// FrameBlock, WavesBlock and SunBlock must be bound. The texture has mipmaps.

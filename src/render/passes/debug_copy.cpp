@@ -32,8 +32,8 @@ const gl::Target& DebugCopyPass::colour(const gl::Texture& source, ivec2 size)
 const gl::Target& DebugCopyPass::depth(const gl::Texture& source, ivec2 size, float nearPlane, float farPlane)
 {
     if (!depthProgram_)
-        depthProgram_ = shaders_.program("debug copy", "passes/fullscreen.vert", "passes/debug_copy.frag",
-                                         {{"DEPTH", "1"}});
+        depthProgram_ =
+            shaders_.program("debug copy", "passes/fullscreen.vert", "passes/debug_copy.frag", {{"DEPTH", "1"}});
     copy(*depthProgram_, source, size, {nearPlane, farPlane});
     return target_;
 }

@@ -10,10 +10,7 @@ namespace tarn {
 namespace {
 
 /// How many texels a pixel's area can touch along one edge: one more than it is long where it begins within one.
-int tapsAlong(int drawn, int size)
-{
-    return drawn % size == 0 ? drawn / size : drawn / size + 2;
-}
+int tapsAlong(int drawn, int size) { return drawn % size == 0 ? drawn / size : drawn / size + 2; }
 
 } // namespace
 

@@ -19,8 +19,7 @@ gl::Program& GlowPass::highlightProgram(const WaterOptions& options, const Input
     return *program;
 }
 
-const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const Inputs& inputs,
-                                 FrameStats::Pass& stats)
+const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const Inputs& inputs, FrameStats::Pass& stats)
 {
     highlight_.ensure({.size = inputs.size, .colours = {gl::Format::rgba16f}});
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
@@ -34,7 +33,8 @@ const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const 
     p.set("footprint", 1.0f);
     if (inputs.normalMap) inputs.normalMap.set(p);
     {
-        std::optional<gl::VisibilityQuery::Condition> condition; // not of the clear: what an earlier frame left would glow
+        std::optional<gl::VisibilityQuery::Condition>
+            condition; // not of the clear: what an earlier frame left would glow
         if (inputs.ifSeen) condition.emplace(*inputs.ifSeen);
         grid.draw(options.water.gridSize, stats);
     }

@@ -9,20 +9,21 @@ namespace tarn {
 bool HeightsPass::isStale(const Inputs& inputs, const HeightsOptions& options) const
 {
     return !drawn_ || !(drawn_->rect == inputs.rect) || drawn_->lowest != inputs.lowest ||
-           drawn_->highest != inputs.highest ||
-           field_.edge != powerOfTwo(options.mapSize) || !sameLight(drawn_->light, inputs.light);
+           drawn_->highest != inputs.highest || field_.edge != powerOfTwo(options.mapSize) ||
+           !sameLight(drawn_->light, inputs.light);
 }
 
 View HeightsPass::view(const Inputs& inputs, Part part)
 {
     View view = parallelView(inputs.rect, inputs.lowest, inputs.highest, vec2(0.0f), inputs.highest);
     view.eye = vec3(inputs.rect.centre.x, inputs.highest + 1000.0f, inputs.rect.centre.y);
-    view.clipPlane = part == Part::bed ? vec4(0.0f, -1.0f, 0.0f, inputs.highest) : vec4(0.0f, 1.0f, 0.0f, -inputs.highest);
+    view.clipPlane =
+        part == Part::bed ? vec4(0.0f, -1.0f, 0.0f, inputs.highest) : vec4(0.0f, 1.0f, 0.0f, -inputs.highest);
     return view;
 }
 
 void HeightsPass::drawBed(const View& view, ScenePainter& painter, const Inputs& inputs, const HeightsOptions& options,
-                       FrameStats::Pass& stats)
+                          FrameStats::Pass& stats)
 {
     const int edge = powerOfTwo(options.mapSize);
     map_.ensure({.size = ivec2(edge),
@@ -44,7 +45,8 @@ void HeightsPass::drawBed(const View& view, ScenePainter& painter, const Inputs&
 void HeightsPass::countSolid(const View& view, ScenePainter& painter, const HeightsOptions& options,
                              FrameStats::Pass& stats)
 {
-    solid_.ensure({.size = ivec2(powerOfTwo(options.mapSize)), .colours = {gl::Format::r16f}, .filter = gl::Filter::nearest});
+    solid_.ensure(
+        {.size = ivec2(powerOfTwo(options.mapSize)), .colours = {gl::Format::r16f}, .filter = gl::Filter::nearest});
     solid_.bind();
     solid_.drawFramebuffer().clearColour(vec4(0.0f));
     PaintStyle count;
@@ -58,19 +60,16 @@ void HeightsPass::readHeights(const Inputs& inputs)
     field_ = {inputs.rect, map_.size().x, {}, inputs.lowest};
     const std::vector<float> depths = map_.depth().readBack(), faces = solid_.colour().readBack();
     for (std::size_t i = 0; i < depths.size(); ++i)
-        field_.heights.push_back(faces[i] > 0.5f ? inputs.highest
-                                                 : glm::mix(inputs.highest, inputs.lowest, depths[i]));
+        field_.heights.push_back(faces[i] > 0.5f ? inputs.highest : glm::mix(inputs.highest, inputs.lowest, depths[i]));
     uploadHeights();
     drawn_ = inputs;
 }
 
 void HeightsPass::uploadHeights()
 {
-    heights_ = gl::Texture({.format = gl::Format::r32f,
-                            .size = ivec2(field_.edge),
-                            .mipmaps = true,
-                            .filter = gl::Filter::nearest},
-                           "heights");
+    heights_ = gl::Texture(
+        {.format = gl::Format::r32f, .size = ivec2(field_.edge), .mipmaps = true, .filter = gl::Filter::nearest},
+        "heights");
     heights_.upload(field_.heights);
     const std::vector<std::vector<float>> levels = largestHeights(field_);
     for (std::size_t i = 0; i < levels.size(); ++i) heights_.upload(levels[i], 0, 0, static_cast<int>(i) + 1);

@@ -1,8 +1,8 @@
 // The bed seen from above: its height, and how it shines (Lipp). What a refracted ray is marched through when
 // refraction.method is raycast; drawn again only when scene, sun or water change.
 //
-// The sun's light is not in the colour, only how the bed answers it: shadows and caustics are looked up where a ray ends,
-// so that moving waves leave the map as it is.
+// The sun's light is not in the colour, only how the bed answers it: shadows and caustics are looked up where a ray
+// ends, so that moving waves leave the map as it is.
 #pragma once
 
 #include "gl/target.h"
@@ -20,8 +20,8 @@ class HeightsPass {
 public:
     struct Inputs {
         LevelRect rect;
-        float lowest = 0.0f; ///< of the scene, world y
-        float highest = 0.0f; ///< where the bed is cut: over the highest wave
+        float lowest = 0.0f;        ///< of the scene, world y
+        float highest = 0.0f;       ///< where the bed is cut: over the highest wave
         blocks::FrameBlock light{}; ///< lastingLight() of the frame's
         bool cull = true;
     };
@@ -29,8 +29,8 @@ public:
     /// True when the map must be drawn: it keeps what it holds until an input, or an option, changes.
     bool isStale(const Inputs& inputs, const HeightsOptions& options) const;
 
-    /// The bed under the cut, and what stands over it: what goes up through the cut is solid there, has no top under it, and
-    /// seen from above would be hollow.
+    /// The bed under the cut, and what stands over it: what goes up through the cut is solid there, has no top under
+    /// it, and seen from above would be hollow.
     enum class Part { bed, over };
     /// A part seen from above. Its ViewBlock must be bound while it is drawn.
     static View view(const Inputs& inputs, Part part);

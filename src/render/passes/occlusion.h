@@ -1,7 +1,7 @@
 // What the scene hides, asked in a frame's own depth: what was hidden in the last frame is held against this one's as a
-// box, and drawn only if some sample of that would be seen. So no answer is one of another frame, and a picture is never
-// wrong; the last frame only tells for what asking is worth its price. (In the manner of Bittner et al. 2004, "Coherent
-// hierarchical culling", without its hierarchy.)
+// box, and drawn only if some sample of that would be seen. So no answer is one of another frame, and a picture is
+// never wrong; the last frame only tells for what asking is worth its price. (In the manner of Bittner et al. 2004,
+// "Coherent hierarchical culling", without its hierarchy.)
 #pragma once
 
 #include "base/math.h"
@@ -27,7 +27,8 @@ public:
     void ask(gl::VisibilityQuery& query, const Bounds& box, const vec3& eye);
     void prepare();
 
-    /// Whether the eye is so far outside of a box that the box, with room for rounding, still hides from it what is within.
+    /// Whether the eye is so far outside of a box that the box, with room for rounding, still hides from it what is
+    /// within.
     static bool canAsk(const Bounds& box, const vec3& eye);
 
 private:
@@ -57,7 +58,6 @@ public:
         return parts_[part].drawn;
     }
 
-
 private:
     struct Part {
         bool wasHidden = false;
@@ -72,7 +72,7 @@ private:
 struct Occlusion {
     OcclusionPass& boxes;
     HiddenParts& parts;
-    bool asks = true; ///< else what is drawn is counted only
+    bool asks = true;                 ///< else what is drawn is counted only
     std::size_t drawn = 0, asked = 0; ///< parts in view; those of them that the last frame hid
 };
 

@@ -39,8 +39,8 @@ const char* toneCurveFunction(FrameOptions::ToneCurve curve)
 
 } // namespace
 
-const gl::Target& PresentPass::draw(const gl::Texture& source, const gl::Texture* glow,
-                                    const FrameOptions& options, DebugView view, bool luma)
+const gl::Target& PresentPass::draw(const gl::Texture& source, const gl::Texture* glow, const FrameOptions& options,
+                                    DebugView view, bool luma)
 {
     target_.ensure({.size = source.size(), .colours = {gl::Format::rgba8}});
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});

@@ -4,12 +4,10 @@
 
 namespace tarn {
 
-const gl::Target& ReflectionPass::draw(ScenePainter& painter, const ReflectionOptions& options,
-                                       const Inputs& inputs, FrameStats::Pass& stats)
+const gl::Target& ReflectionPass::draw(ScenePainter& painter, const ReflectionOptions& options, const Inputs& inputs,
+                                       FrameStats::Pass& stats)
 {
-    target_.ensure({.size = ivec2(options.targetSize),
-                    .colours = {gl::Format::rgba16f},
-                    .depth = gl::Format::depth24});
+    target_.ensure({.size = ivec2(options.targetSize), .colours = {gl::Format::rgba16f}, .depth = gl::Format::depth24});
     gl::apply({});
     target_.bind();
     target_.drawFramebuffer().clearColour(vec4(0.0f));

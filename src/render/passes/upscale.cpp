@@ -4,8 +4,8 @@
 
 namespace tarn {
 
-gl::Program& UpscalePass::begin(const gl::Target& target, const gl::Texture& source,
-                                FrameOptions::Upscaler upscaler, bool isLinear)
+gl::Program& UpscalePass::begin(const gl::Target& target, const gl::Texture& source, FrameOptions::Upscaler upscaler,
+                                bool isLinear)
 {
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});
     target.bind();
@@ -13,8 +13,7 @@ gl::Program& UpscalePass::begin(const gl::Target& target, const gl::Texture& sou
     if (upscaler == FrameOptions::Upscaler::edge) defines.emplace_back("EDGE", "1");
     if (isLinear) defines.emplace_back("LINEAR", "1");
     auto& program = programs_[defines];
-    if (!program)
-        program = shaders_.program("upscale", "passes/fullscreen.vert", "passes/upscale.frag", defines);
+    if (!program) program = shaders_.program("upscale", "passes/fullscreen.vert", "passes/upscale.frag", defines);
     program->use();
     program->texture("source", source);
     program->set("sourcePerPixel", vec2(source.size()) / vec2(target.size()));
@@ -29,8 +28,8 @@ const gl::Target& UpscalePass::draw(const gl::Texture& shown, ivec2 size, FrameO
     return shown_;
 }
 
-const gl::Target& UpscalePass::drawLinear(const gl::Texture& radiance, ivec2 size,
-                                          const FrameOptions& options, int sideBySide)
+const gl::Target& UpscalePass::drawLinear(const gl::Texture& radiance, ivec2 size, const FrameOptions& options,
+                                          int sideBySide)
 {
     linear_.ensure({.size = size, .colours = {gl::Format::rgba16f}});
     gl::Program& program = begin(linear_, radiance, options.upscaler, true);

@@ -20,8 +20,7 @@ public:
 
     /// The same of radiance, for those who read it.
     /// @param sideBySide how many pictures, 1 or 2, stand beside each other and do not mix
-    const gl::Target& drawLinear(const gl::Texture& radiance, ivec2 size, const FrameOptions& options,
-                                 int sideBySide);
+    const gl::Target& drawLinear(const gl::Texture& radiance, ivec2 size, const FrameOptions& options, int sideBySide);
 
 private:
     gl::Program& begin(const gl::Target& target, const gl::Texture& source, FrameOptions::Upscaler upscaler,

@@ -25,8 +25,7 @@ int debugCode(DebugView view)
 /// Whether the mirrored point is found in the mirrored picture's depth.
 bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
 {
-    const bool asPublished =
-        inputs.underwater && options.underwater.refraction == UnderwaterOptions::Refraction::paper;
+    const bool asPublished = inputs.underwater && options.underwater.refraction == UnderwaterOptions::Refraction::paper;
     return inputs.reflection && !asPublished && options.reflection.method != ReflectionOptions::Method::distance;
 }
 
@@ -108,7 +107,8 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (readsFresnelTable(options, inputs))
         defines.emplace_back("FRESNEL_TABLE",
                              options.water.fresnelFilter == optics::TableFilter::linear ? "true" : "false");
-    if ((inputs.refraction || inputs.bed) && fadesLinearly(options, inputs)) defines.emplace_back("LINEAR_ATTENUATION", "1");
+    if ((inputs.refraction || inputs.bed) && fadesLinearly(options, inputs))
+        defines.emplace_back("LINEAR_ATTENUATION", "1");
     if (showsPhong(options, inputs)) defines.emplace_back("PHONG", "1");
     constexpr int mostSteps = 8;
     if (inputs.refraction)
@@ -117,8 +117,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
         defines.emplace_back("ITERATIVE_REFLECTION", "1");
         defines.push_back(unrolled("EACH_REFLECTION_STEP", "REFLECTION_STEP", options.reflection.steps - 1, mostSteps));
     }
-    if (!inputs.underwater && options.water.reflects && options.reflection.facets != ReflectionOptions::Facets::one)
-    {
+    if (!inputs.underwater && options.water.reflects && options.reflection.facets != ReflectionOptions::Facets::one) {
         const int facets = options.reflection.facets == ReflectionOptions::Facets::three ? 3 : 5;
         defines.emplace_back("FACETS", std::to_string(facets));
         defines.push_back(unrolled("EACH_FACET", "FACET", facets - 1, facets)); // beside the one in the middle
@@ -172,8 +171,7 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         const bool searches = searchesReflection(options, inputs);
         if (!searches) {
             p.set("reflectionClipFromWorld", view.clipFromWorld());
-            p.set("reflectionDistance",
-                  inputs.underwater ? options.underwater.distance : options.reflection.distance);
+            p.set("reflectionDistance", inputs.underwater ? options.underwater.distance : options.reflection.distance);
         }
         if (searches || inputs.view == DebugView::reflectionHit) {
             p.texture("reflectionDepth", inputs.reflection->depth());
@@ -183,11 +181,12 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         if (searches) {
             p.set("reflectionViewFromWorld", view.viewFromWorld);
         }
-        if (inputs.view == DebugView::reflectionHit)
-            p.set("worldFromReflectionView", glm::inverse(view.viewFromWorld));
+        if (inputs.view == DebugView::reflectionHit) p.set("worldFromReflectionView", glm::inverse(view.viewFromWorld));
     }
-    if (inputs.sight) grid.draw(options.water.gridSize, *inputs.sight, stats, use);
-    else grid.draw(options.water.gridSize, stats);
+    if (inputs.sight)
+        grid.draw(options.water.gridSize, *inputs.sight, stats, use);
+    else
+        grid.draw(options.water.gridSize, stats);
 }
 
 } // namespace tarn

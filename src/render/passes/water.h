@@ -4,11 +4,11 @@
 #include "gl/shader_library.h"
 #include "gl/target.h"
 #include "plan/options.h"
+#include "render/frame.h"
 #include "render/fresnel_texture.h"
 #include "render/normal_map.h"
 #include "render/passes/heights.h"
 #include "render/passes/heights_afloat.h"
-#include "render/frame.h"
 #include "render/view.h"
 #include "render/water_grid.h"
 
@@ -30,20 +30,20 @@ public:
     };
 
     struct Inputs {
-        std::optional<Bed> bed; ///< refraction.method = raycast, seen from above
+        std::optional<Bed> bed;                    ///< refraction.method = raycast, seen from above
         const AfloatHeightsPass* afloat = nullptr; ///< reflection.method = raycast, seen from above
-        const gl::Target* refraction = nullptr; ///< null: the water's own colour
+        const gl::Target* refraction = nullptr;    ///< null: the water's own colour
         const View* refractionView = nullptr;
         const gl::Target* reflection = nullptr; ///< null: the sky
         const View* reflectionView = nullptr;
         const gl::Texture& skyMap;
-        float ior = 1.33f;       ///< of the water
+        float ior = 1.33f; ///< of the water
         int waveCount = 0;
-        float footprint = 1.0f;  ///< of a pixel's edge that one of its samples stands for
+        float footprint = 1.0f; ///< of a pixel's edge that one of its samples stands for
         NormalMapInputs normalMap{};
-        bool underwater = false; ///< the surface is seen from below
+        bool underwater = false;                 ///< the surface is seen from below
         std::optional<WaterGrid::Sight> sight{}; ///< what of the grid is seen; empty: all of it is drawn
-        const gl::Texture* waterline = nullptr; ///< in a frame that shows both sides: which pixels are whose
+        const gl::Texture* waterline = nullptr;  ///< in a frame that shows both sides: which pixels are whose
         DebugView view = DebugView::final;
     };
 
@@ -55,7 +55,6 @@ public:
               FrameStats::Pass& stats);
 
 private:
-
     gl::ShaderLibrary& shaders_;
     std::map<gl::Defines, std::shared_ptr<gl::Program>> programs_;
     FresnelTexture fresnelTable_;
