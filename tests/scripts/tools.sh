@@ -113,4 +113,11 @@ test_intervals_usage() {
     refuse 2 '2 to 16 frames' pool.toml
 }
 
+test_format() {
+    local status=0
+    "$project/tools/format" --check >"$work/stdout" 2>"$work/stderr" || status=$?
+    [[ $status != 77 ]] || exit 77
+    [[ $status == 0 ]] || fail "files are not as tools/format writes them"
+}
+
 run_test "$3"
