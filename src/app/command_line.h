@@ -22,7 +22,7 @@ struct SceneArguments {
     std::filesystem::path file; ///< empty: the shipped lake
     std::optional<float> waterLevel;
     SettingsArguments settings;
-    std::string device; ///< to draw on without a window (gl::chooseHeadlessDevice)
+    std::string device{}; ///< to draw on without a window (gl::chooseHeadlessDevice)
 };
 
 /// A named camera of the scene (its first by default), and what replaces parts of it.
