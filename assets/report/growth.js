@@ -2,7 +2,7 @@
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);
-const hues = ["error", "price", "dot", "soft"];
+const hues = ["error", "cost", "dot", "soft"];
 
 function element(name, text, parent) {
   const made = document.createElement(name);

@@ -16,7 +16,7 @@ function make(tag, text, ...children) {
 const quantityOf = name => data.quantities.find(quantity => quantity.name === name);
 const measured = (point, view = shown.view) => (view === 0 ? point.mean : point.views[view - 1]);
 const errorOf = (point, name = shown.quantity, view = shown.view) => measured(point, view).errors[name];
-const msOf = (point, view = shown.view) => measured(point, view).price.median_ms;
+const msOf = (point, view = shown.view) => measured(point, view).cost.median_ms;
 const frontPoints = (name = shown.quantity, view = shown.view) => data.fronts[name][view].map(id => byId.get(id));
 const changesOf = point => Object.entries(point.changes).map(([key, value]) => key + " = " + value);
 
@@ -130,7 +130,7 @@ function redrawSweeps() {
   for (const sweep of data.sweeps) {
     const points = sweep.points.map(id => byId.get(id));
     drawSweep($("sweep " + sweep.key), {
-      labels: sweep.values, errors: points.map(point => errorOf(point)), prices: points.map(point => msOf(point)),
+      labels: sweep.values, errors: points.map(point => errorOf(point)), costs: points.map(point => msOf(point)),
       base: sweep.points.indexOf(data.points[0].id), errorTitle: quantity.name, unit: quantity.unit,
     });
   }
@@ -142,7 +142,7 @@ function makeSweeps() {
     const canvas = make("canvas");
     canvas.id = "sweep " + sweep.key;
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", "Error and price over " + sweep.key);
+    canvas.setAttribute("aria-label", "Error and cost over " + sweep.key);
     const frame = make("div", null, canvas);
     frame.className = "canvas";
     $("sweeps").append(make("figure", null, make("figcaption", sweep.key), frame));
@@ -152,9 +152,9 @@ function makeSweeps() {
 function redrawPasses() {
   const names = [];
   for (const mark of marked)
-    for (const pass of measured(mark.point).price.passes) if (!names.includes(pass.name)) names.push(pass.name);
+    for (const pass of measured(mark.point).cost.passes) if (!names.includes(pass.name)) names.push(pass.name);
   if (names.length === 0) return;
-  const time = (mark, name) => measured(mark.point).price.passes.find(pass => pass.name === name)?.median_ms ?? 0;
+  const time = (mark, name) => measured(mark.point).cost.passes.find(pass => pass.name === name)?.median_ms ?? 0;
   $("passes-plot").style.height = 130 + 44 * marked.length + "px";
   drawPasses($("passes"), {
     labels: marked.map(mark => mark.name),
@@ -168,8 +168,8 @@ const presetColumns = ["flip", "flip.water", "refraction.median", "refraction.p9
 function redrawPresets() {
   const columns = [
     { name: "ms", unit: "median", value: point => msOf(point), smaller: true },
-    { name: "ms", unit: "95 %", value: point => measured(point).price.p95_ms, smaller: true },
-    { name: "cpu ms", unit: "all threads", value: point => measured(point).price.cpu_ms, smaller: true },
+    { name: "ms", unit: "95 %", value: point => measured(point).cost.p95_ms, smaller: true },
+    { name: "cpu ms", unit: "all threads", value: point => measured(point).cost.cpu_ms, smaller: true },
     ...presetColumns.map(quantityOf).filter(quantity => marked.some(mark => errorOf(mark.point, quantity.name) !== null))
       .map(quantity => ({ name: quantity.name.replaceAll(".", " ").replaceAll("_", " "), unit: quantity.unit === "deg" ? "°" : quantity.unit, doc: quantity.doc,
         value: point => errorOf(point, quantity.name), smaller: quantity.smaller_is_better })),

@@ -110,30 +110,30 @@ function range(values, below) {
   return { min: low >= 0 ? Math.max(0, min) : min, max: high + (1 - below) * added };
 }
 
-function drawSweep(canvas, { labels, errors, prices, base, errorTitle, unit }) {
+function drawSweep(canvas, { labels, errors, costs, base, errorTitle, unit }) {
   const isNumeric = labels.every(label => label !== "" && !Number.isNaN(Number(label)));
   const ring = size => labels.map((_, i) => (i === base ? size + 3 : size));
   const line = (data, name, axisId, style) => ({
     data, label: name, yAxisID: axisId, borderColor: colour(style), backgroundColor: colour(style), borderWidth: 2,
     pointRadius: ring(3), pointHoverRadius: 7, pointBackgroundColor: labels.map((_, i) => colour(i === base ? "card" : style)),
     pointBorderWidth: 2,
-    pointStyle: style === "price" ? "rect" : "circle", borderDash: style === "price" ? [5, 4] : [], spanGaps: true, showLine: isNumeric,
+    pointStyle: style === "cost" ? "rect" : "circle", borderDash: style === "cost" ? [5, 4] : [], spanGaps: true, showLine: isNumeric,
   });
   draw(canvas, {
     type: "line",
-    data: { labels, datasets: [line(errors, errorTitle, "error", "error"), line(prices, "ms a frame", "price", "price")] },
+    data: { labels, datasets: [line(errors, errorTitle, "error", "error"), line(costs, "ms a frame", "cost", "cost")] },
     options: {
       interaction: { mode: "index", intersect: false },
       layout: { padding: { top: 8 } },
       scales: {
         x: { grid: { display: false }, offset: !isNumeric },
         error: axis("", { position: "left", ...range(errors, 0.6), ticks: { includeBounds: false, callback: short, maxTicksLimit: 5, color: colour("error") } }),
-        price: axis("", { position: "right", ...range(prices, 0.4), grid: { drawOnChartArea: false },
-          ticks: { includeBounds: false, callback: value => short(value) + " ms", maxTicksLimit: 5, color: colour("price") } }),
+        cost: axis("", { position: "right", ...range(costs, 0.4), grid: { drawOnChartArea: false },
+          ticks: { includeBounds: false, callback: value => short(value) + " ms", maxTicksLimit: 5, color: colour("cost") } }),
       },
       plugins: {
         legend: { display: false },
-        tooltip: { callbacks: { label: item => item.dataset.yAxisID === "price" ? short(item.raw) + " ms a frame"
+        tooltip: { callbacks: { label: item => item.dataset.yAxisID === "cost" ? short(item.raw) + " ms a frame"
           : errorTitle + ": " + withUnit(item.raw, unit) } },
       },
     },

@@ -12,10 +12,10 @@ vec3 seenInAir(vec3 w)
 
 // Radiance in the air along a ray that leaves the water, the point W that it is taken from, and the target's share in
 // it; the rest is sky.
-vec3 lookupAir(vec3 refracted, out vec3 hit, out float share)
+vec3 lookupAir(vec3 refracted, out vec3 hit, out float fraction)
 {
     hit = surfaceW + refractionDistance * refracted; // eq. 13
-    share = 0.0;
+    fraction = 0.0;
     vec3 sky = texture(skyMap, refracted).rgb;
 #ifdef REFRACTION
     vec3 u = (refractionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
@@ -44,8 +44,8 @@ vec3 lookupAir(vec3 refracted, out vec3 hit, out float share)
     // The target holds what the eye's own frustum holds; past its border only the sky is known.
     vec2 texel = refractionTexel(w);
     vec2 inside = smoothstep(vec2(0.0), vec2(0.04), texel) * smoothstep(vec2(0.0), vec2(0.04), 1.0 - texel);
-    share = known * inside.x * inside.y;
-    sky = mix(sky, texture(refractionColour, texel).rgb, share);
+    fraction = known * inside.x * inside.y;
+    sky = mix(sky, texture(refractionColour, texel).rgb, fraction);
 #endif
     return sky;
 }

@@ -7,11 +7,11 @@
 
 #if defined(FETCH) || defined(MESH)
 uniform sampler2D photons;
-uniform int photonEdge; // photons along an edge
+uniform int photonsPerSide; // photons along an edge
 #else
 layout(location = 0) in vec4 photonV;
 #endif
-uniform float textureEdge; // texels along an edge
+uniform float textureResolution; // texels along an edge
 
 flat out vec3 light;
 flat out vec2 centre; // of a point, in texels
@@ -27,14 +27,14 @@ void main()
     int triangle = gl_VertexID / 3;
     int own = gl_VertexID % 3;
     int cell = triangle / 2;
-    ivec2 place = ivec2(cell % (photonEdge - 1), cell / (photonEdge - 1));
+    ivec2 lattice = ivec2(cell % (photonsPerSide - 1), cell / (photonsPerSide - 1));
     ivec2 offset[3] = (triangle & 1) == 0 ? ivec2[3](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0))
                                           : ivec2[3](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
     vec2 corner[3]; // on the bed, in texels
     light = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
-        vec4 photon = texelFetch(photons, place + offset[i], 0);
-        corner[i] = photon.xy * textureEdge;
+        vec4 photon = texelFetch(photons, lattice + offset[i], 0);
+        corner[i] = photon.xy * textureResolution;
         light += lightOf(photon) / 6.0; // half a photon's cell lies between three of them
     }
     vec2 a = corner[1] - corner[0];
@@ -50,18 +50,18 @@ void main()
         position = centre + vec2(own == 1 ? 4.5 : -1.5, own == 2 ? 4.5 : -1.5);
     else
         light /= area; // the ratio of the areas is the intensity
-    gl_Position = vec4(2.0 * position / textureEdge - 1.0, 0.0, 1.0);
+    gl_Position = vec4(2.0 * position / textureResolution - 1.0, 0.0, 1.0);
 }
 #else
 void main()
 {
 #ifdef FETCH
-    vec4 photon = texelFetch(photons, ivec2(gl_VertexID % photonEdge, gl_VertexID / photonEdge), 0);
+    vec4 photon = texelFetch(photons, ivec2(gl_VertexID % photonsPerSide, gl_VertexID / photonsPerSide), 0);
 #else
     vec4 photon = photonV;
 #endif
     light = lightOf(photon);
-    centre = photon.xy * textureEdge;
+    centre = photon.xy * textureResolution;
     gl_PointSize = 2.0; // the square of it holds the centres of the four nearest texels
     gl_Position = photon.z > 0.0 ? vec4(2.0 * photon.xy - 1.0, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -40,11 +40,11 @@ SurfacePoint surfaceAt(vec2 x)
 
 // A of section 7.1 for a point W: what the refracted sun's light through W meets. Here and below points are written
 // (x, z, y), so that the third coordinate is the depth along the camera's axis that intersection.glsl compares.
-vec3 seenBySun(vec3 W, vec2 slant)
+vec3 seenBySun(vec3 W, vec2 shear)
 {
-    vec2 plane = sunPlane(W.xzy, waterLevel, slant);
+    vec2 plane = sunPlane(W.xzy, waterLevel, shear);
     float height = heightFromDepth(textureLod(sunDepth, vec3(sunMapUv(sunRect, plane), submergedLayer), 0.0).r);
-    return vec3(W.xy + slant * (height - W.z), height);
+    return vec3(W.xy + shear * (height - W.z), height);
 }
 
 void main()
@@ -54,7 +54,7 @@ void main()
     if (any(greaterThan(abs(plane - waterRect.xy), waterRect.zw))) return;
 
     // U: where the ray meets the waves, by one step of Newton's method from the level.
-    vec2 slantAir = sunSlant(sunDirection);
+    vec2 slantAir = sunShear(sunDirection);
     SurfacePoint surface = surfaceAt(plane);
     float height = surface.height / max(1.0 - dot(surface.slope, slantAir), 0.2);
     vec2 xz = plane + slantAir * height;
@@ -68,13 +68,13 @@ void main()
     if (cosine <= 0.0) return; // the far side of a steep wave
     vec3 refracted = refractRay(-sunDirection, n, 1.0 / ior).xzy;
 
-    vec2 slant = sunSlant(sunDirectionBelow);
+    vec2 shear = sunShear(sunDirectionBelow);
     vec3 hit = U;
     float path = 0.0;
-    vec3 first = seenBySun(U, slant);
+    vec3 first = seenBySun(U, shear);
     if (first.z < U.z) { // else the surface lies in the ground: the light of the shore's last texels
         IntersectionState s = intersectionBegin(U, refracted, first);
-#define STEP(i) s = intersectionStepSeen(s, seenBySun(s.W, slant));
+#define STEP(i) s = intersectionStepSeen(s, seenBySun(s.W, shear));
         EACH_STEP
 #undef STEP
 #ifdef PLANAR // a single sample of the bed's depth
@@ -85,11 +85,11 @@ void main()
         path = distance(hit, U);
     }
 
-    float light = (1.0 - fresnelExact(cosine, 1.0 / ior)) * photonShare(causticsBorder.z, causticsBorder.y);
+    float light = (1.0 - fresnelExact(cosine, 1.0 / ior)) * photonFraction(causticsBorder.z, causticsBorder.y);
     // A beach a hand above the level is not in the way of what enters beside it.
 #ifdef SHADOWS
     light *= sunVisibility(firstCascadeLayer, sunRect, plane, U.z, vec2(0.0), 0.1);
 #endif
-    vec2 where = sunPlane(hit.xzy, waterLevel, slant);
+    vec2 where = sunPlane(hit.xzy, waterLevel, shear);
     fragment = vec4((where - causticsRect.xy) / causticsRect.zw * 0.5 + 0.5, light, path);
 }

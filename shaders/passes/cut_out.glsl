@@ -15,9 +15,9 @@ float alphaOfMaps(vec2 at)
 #ifdef DITHERED
 uniform int chunk; // which draw of the scene this is: its triangles are counted from 0
 
-// The share of a pixel that the surface covers. The maps' smaller levels hold shares; at full size alpha crosses the
-// cutoff within a texel, and a ramp one pixel wide about it is the pixel's share.
-float cutOutShare(vec2 at)
+// The part of a pixel that the surface covers. The maps' smaller levels hold coverage; at full size alpha crosses the
+// cutoff within a texel, and a ramp one pixel wide about it is the pixel's coverage.
+float cutOutFraction(vec2 at)
 {
     float a = alphaOfMaps(at);
     float cutoff = alphaCutoff / max(alpha, 1.0e-6);
@@ -28,9 +28,9 @@ float cutOutShare(vec2 at)
 #endif
     vec2 across = dFdx(at) * texels, along = dFdy(at) * texels;
     float level = 0.5 * log2(max(max(dot(across, across), dot(along, along)), 1.0e-12));
-    float isShare = clamp(level, 0.0, 1.0);
-    float width = mix(max(fwidth(a), 1.0e-4), 1.0, isShare);
-    return clamp((a - mix(cutoff, 0.5, isShare)) / width + 0.5, 0.0, 1.0);
+    float isCoverage = clamp(level, 0.0, 1.0);
+    float width = mix(max(fwidth(a), 1.0e-4), 1.0, isCoverage);
+    return clamp((a - mix(cutoff, 0.5, isCoverage)) / width + 0.5, 0.0, 1.0);
 }
 
 // A number from 0 to 1 for each triangle: the PCG hash (Jarzynski and Olano 2020, "Hash functions for GPU rendering").
@@ -41,8 +41,8 @@ float triangleNumber()
     return float(((word >> 22u) ^ word) >> 8u) / 16777216.0;
 }
 
-// Whether the surface is there, by chance of its share: sixteen neighbours have sixteen evenly spaced limits (Bayer 1973),
-// so that their mean is the share. Where a limit begins differs from triangle to triangle, or one leaf would hide what is
+// Whether the surface is there, with the probability of its coverage: sixteen neighbours have sixteen evenly spaced limits (Bayer 1973),
+// so that their mean is the coverage. Where a limit begins differs from triangle to triangle, or one leaf would hide what is
 // left of the leaf behind it; in alpha-to-coverage it does.
 bool isCutAway(vec2 at)
 {
@@ -50,7 +50,7 @@ bool isCutAway(vec2 at)
     uint x = p.x ^ p.y;
     uint order = ((x & 1u) << 3u) | ((p.y & 1u) << 2u) | (x & 2u) | (p.y >> 1u);
     float limit = fract((float(order) + 0.5) / 16.0 + triangleNumber());
-    return cutOutShare(at) <= limit;
+    return cutOutFraction(at) <= limit;
 }
 #else
 bool isCutAway(vec2 at) { return alpha * alphaOfMaps(at) < alphaCutoff; }

@@ -98,7 +98,7 @@ GroundHit findGround(vec3 from, vec3 direction)
         }
     }
     isFound = isFound && isOnMap(here.xz) && ground > bedLowest;
-    float share = crossingShare(before.y, groundBefore, here.y, ground);
-    return GroundHit(mix(before, here, clamp(share, 0.0, 1.0)), isFound);
+    float fraction = crossingFraction(before.y, groundBefore, here.y, ground);
+    return GroundHit(mix(before, here, clamp(fraction, 0.0, 1.0)), isFound);
 }
 #endif

@@ -69,7 +69,7 @@ vec2 reflectionTexel(vec3 reflected, out float miss)
 #ifdef RAYCAST_REFLECTION
 // Whether a mirrored ray is marched through the map, and what it meets there. Where there is a picture too, that is taken
 // where it shows what lies on the ray: it shows crowns that a map has no room for.
-bool isMirroredOnMap(vec3 reflected, float miss, out AfloatHit found)
+bool isMirroredOnMap(vec3 reflected, float miss, out AboveWaterHit found)
 {
 #ifdef REFLECTION
     const float onRay = 1.9e-5; // a quarter of a degree
@@ -85,10 +85,10 @@ bool isMirroredOnMap(vec3 reflected, float miss, out AfloatHit found)
 
 #if DEBUG_VIEW == 7
 #ifdef REFLECTION
-vec4 shownAt(vec2 place)
+vec4 shownAt(vec2 uv)
 {
     vec2 size = vec2(textureSize(reflectionDepth, 0));
-    vec2 texel = clamp(place, 0.5 / size, 1.0 - 0.5 / size); // past its border, the border
+    vec2 texel = clamp(uv, 0.5 / size, 1.0 - 0.5 / size); // past its border, the border
     // The nearest sample's depth: a mean over an edge is the depth of nothing.
     float depth = texelFetch(reflectionDepth, ivec2(texel * size), 0).r;
     vec3 ray = vec3(tangentsAt(reflectionClipFromView, texel), -1.0);
@@ -107,7 +107,7 @@ vec4 shownMirrored(vec3 reflected)
     vec2 texel = reflectionTexel(reflected, miss);
 #endif
 #ifdef RAYCAST_REFLECTION
-    AfloatHit found;
+    AboveWaterHit found;
     if (isMirroredOnMap(reflected, miss, found))
         return found.isFound > 0.5 ? vec4(found.point, 1.0) : vec4(reflected, 2.0);
 #endif
@@ -130,7 +130,7 @@ vec3 reflectedRadiance(vec3 reflected)
     vec3 shown = texture(skyMap, reflected).rgb;
 #endif
 #ifdef RAYCAST_REFLECTION
-    AfloatHit found;
+    AboveWaterHit found;
     if (isMirroredOnMap(reflected, miss, found) && found.isFound > 0.5) return mirroredRadiance(found);
 #endif
     return shown;

@@ -11,6 +11,6 @@ void main()
     int axis = face / 2;
     float side = float(face % 2);
     vec2 within = vec2(corner == 1 || corner == 2 || corner == 4 ? 1.0 : 0.0, corner == 2 || corner == 4 || corner == 5 ? 1.0 : 0.0);
-    vec3 share = axis == 0 ? vec3(side, within) : axis == 1 ? vec3(within.x, side, within.y) : vec3(within, side);
-    gl_Position = clipFromWorld * vec4(mix(boxLower, boxUpper, share), 1.0);
+    vec3 fraction = axis == 0 ? vec3(side, within) : axis == 1 ? vec3(within.x, side, within.y) : vec3(within, side);
+    gl_Position = clipFromWorld * vec4(mix(boxLower, boxUpper, fraction), 1.0);
 }

@@ -17,10 +17,10 @@ uniform sampler2D bedResponse; // radiance for each unit of the sun's irradiance
 vec3 groundRadiance(GroundHit ground, vec3 across, vec3 along)
 {
     if (!ground.isFound) return deepRadiance;
-    vec2 place = (ground.point.xz - bedRect.xy) * (0.5 / bedRect.zw) + 0.5;
+    vec2 uv = (ground.point.xz - bedRect.xy) * (0.5 / bedRect.zw) + 0.5;
     vec2 acrossMap = across.xz * (0.5 / bedRect.zw), alongMap = along.xz * (0.5 / bedRect.zw);
-    vec3 bed = textureGrad(bedRadiance, place, acrossMap, alongMap).rgb;
-    return bed + textureGrad(bedResponse, place, acrossMap, alongMap).rgb * sunUnderwater(ground.point, across, along, 0.0);
+    vec3 bed = textureGrad(bedRadiance, uv, acrossMap, alongMap).rgb;
+    return bed + textureGrad(bedResponse, uv, acrossMap, alongMap).rgb * sunUnderwater(ground.point, across, along, 0.0);
 }
 
 struct BedHit {

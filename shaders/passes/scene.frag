@@ -102,13 +102,13 @@ vec3 lit(vec3 n, vec3 toEye, vec3 light, vec3 irradiance, vec3 albedo)
     return radiance;
 }
 
-vec3 lampLight(LightTerm lamp, vec3 n, vec3 toEye, vec3 albedo)
+vec3 punctualLight(LightTerm source, vec3 n, vec3 toEye, vec3 albedo)
 {
-    vec3 toLamp = lamp.position - positionW;
-    float distance2 = max(dot(toLamp, toLamp), 1.0e-6); // at the lamp itself the irradiance has no bound
-    vec3 light = toLamp * inversesqrt(distance2);
-    float cone = lamp.cosOuter < -1.5 ? 1.0 : smoothstep(lamp.cosOuter, lamp.cosInner, dot(-light, lamp.direction));
-    return lit(n, toEye, light, lamp.intensity * (cone / distance2), albedo);
+    vec3 toLight = source.position - positionW;
+    float distance2 = max(dot(toLight, toLight), 1.0e-6); // at the source itself the irradiance has no bound
+    vec3 light = toLight * inversesqrt(distance2);
+    float cone = source.cosOuter < -1.5 ? 1.0 : smoothstep(source.cosOuter, source.cosInner, dot(-light, source.direction));
+    return lit(n, toEye, light, source.intensity * (cone / distance2), albedo);
 }
 
 // From one pixel to the next, taken before anything branches: m.
@@ -118,10 +118,10 @@ vec3 acrossW, alongW;
 vec3 sunAbove()
 {
 #ifdef SHADOWS
-    vec2 slant = sunSlant(sunDirection);
-    vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), slant);
+    vec2 shear = sunShear(sunDirection);
+    vec2 gradient = sunPlaneGradient(cross(acrossW, alongW), shear);
     float height = positionW.y + geometryError * (1.0 + length(gradient));
-    return sunIrradiance * sunVisibilityInAir(sunPlane(positionW, waterLevel, slant), height, gradient);
+    return sunIrradiance * sunVisibilityInAir(sunPlane(positionW, waterLevel, shear), height, gradient);
 #else
     return sunIrradiance;
 #endif
@@ -192,15 +192,15 @@ void main()
         radiance += albedo * transmission / lightPi * shIrradiance(skyIrradiance, -n);
 #endif
     }
-#define LIGHT(i) radiance += lampLight(lights[i], n, toEye, albedo);
+#define LIGHT(i) radiance += punctualLight(lights[i], n, toEye, albedo);
     EACH_LIGHT
 #undef LIGHT
 
 #ifdef UNDERWATER
     // What stands over the level is seen through water as far as the level (a shore behind the foot of a wave).
     // The reflection's mirrored eye stands over the level itself; all it sees is seen through water.
-    float share = depth > 0.0 ? 1.0 : min(abs(waterLevel - eye.y) / max(abs(positionW.y - eye.y), 1.0e-6), 1.0);
-    vec3 a = beerLambert(absorption, share * distance(positionW, eye));
+    float fraction = depth > 0.0 ? 1.0 : min(abs(waterLevel - eye.y) / max(abs(positionW.y - eye.y), 1.0e-6), 1.0);
+    vec3 a = beerLambert(absorption, fraction * distance(positionW, eye));
     ivec2 pixel = min(ivec2(gl_FragCoord.xy), textureSize(waterline, 0) - 1);
     a = mix(vec3(1.0), a, texelFetch(waterline, pixel, 0).r);
     radiance = radianceThroughWater(radiance, deepRadiance, a);

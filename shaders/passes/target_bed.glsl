@@ -32,7 +32,7 @@ vec2 flatTexel(vec3 pointW)
     return refractionTexel((refractionViewFromWorld * vec4(seen, 1.0)).xyz);
 }
 
-// What the target shows at a place, and by how much that is beside what a flat surface would show there: only the
+// What the target shows at texture coordinates, and by how much that is beside what a flat surface would show there: only the
 // corners of triangles are moved to where they would seem to be, so that the picture within them is a little off.
 struct FlatLook {
     vec3 point;  // world; where the target shows nothing, one behind all that there is
@@ -64,10 +64,10 @@ FlatLook lookFlat(vec2 texel)
 vec4 shownFor(vec3 hitW)
 {
 #ifdef FLAT_CAMERA
-    vec2 place = flatTexel(hitW - lookFlat(flatTexel(hitW)).beside);
-    bool holds = all(greaterThanEqual(place, vec2(0.0))) && all(lessThanEqual(place, vec2(1.0))) &&
-                 texture(refractionShown, place).w > 1.0e-3;
-    return vec4(lookFlat(place).point, holds ? 1.0 : 0.5);
+    vec2 uv = flatTexel(hitW - lookFlat(flatTexel(hitW)).beside);
+    bool holds = all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0))) &&
+                 texture(refractionShown, uv).w > 1.0e-3;
+    return vec4(lookFlat(uv).point, holds ? 1.0 : 0.5);
 #endif
     vec3 w = (refractionViewFromWorld * vec4(hitW, 1.0)).xyz;
     vec2 texel = refractionTexel(w);

@@ -99,9 +99,9 @@ void addFacet(inout FacetSum sum, vec3 n, float frequency, vec3 toEye, vec3 radi
 {
     float facing = max(dot(toEye, n), 0.0); // nothing of a facet is seen from behind
     float weight = frequency * facing / n.y;
-    float share = weight * fresnelShares(facing).y;
-    sum.radiance += share * radiance;
-    sum.reflected += share;
+    float fraction = weight * fresnelFractions(facing).y;
+    sum.radiance += fraction * radiance;
+    sum.reflected += fraction;
     sum.weight += weight;
 }
 
@@ -112,15 +112,15 @@ void addFacet(inout FacetSum sum, vec2 slope, float frequency, vec3 toEye)
 }
 #endif
 
-// What the surface lets through and what it mirrors, as shares, and the mirrored radiance, all of a pixel.
+// What the surface lets through and what it mirrors, as fractions, and the mirrored radiance, all of a pixel.
 //
 // FACETS: waves that a pixel cannot show still tilt its surface. Their slopes along the line of sight, which is where
 // they matter (a grazing view sees the facets that lean towards it, so that far water mirrors more of the sky and less
 // of the shore), are normal; a Gauss-Hermite rule of 3 or 5 of them stands for all. Each counts with the area that the
 // eye sees of it, as in the masked slopes of Ross et al. 2005.
-vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 shares)
+vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 fractions)
 {
-    shares = fresnelShares(max(dot(toEye, surface.meanNormal), 0.0)); // E·N; a crest's far side is seen edge-on
+    fractions = fresnelFractions(max(dot(toEye, surface.meanNormal), 0.0)); // E·N; a crest's far side is seen edge-on
     vec3 middle = reflectedRadiance(reflectedFrom(surface.meanNormal, toEye));
 #ifdef FACETS
 #if FACETS == 3
@@ -129,7 +129,7 @@ vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 shares)
     const vec2 rule[5] = vec2[5](vec2(0.0, 0.5333333), vec2(1.3556262, 0.2220759), vec2(-1.3556262, 0.2220759),
                                  vec2(2.8569700, 0.0112574), vec2(-2.8569700, 0.0112574));
 #endif
-    float deviation = sqrt(max(surface.roughness - sunRoughness * sunRoughness, 0.0));
+    float deviation = sqrt(max(surface.slopeVariance - sunSlopeDeviation * sunSlopeDeviation, 0.0));
     if (deviation > 0.003) { // below this all facets mirror the same texel
         vec2 slope = -surface.meanNormal.xz / surface.meanNormal.y;
         vec2 across = normalize(toEye.xz + vec2(1.0e-6, 0.0));
@@ -140,12 +140,12 @@ vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 shares)
 #undef FACET
         if (sum.weight > 0.0) {
             float mean = sum.reflected / sum.weight;
-            shares = vec2(1.0 - mean, mean);
+            fractions = vec2(1.0 - mean, mean);
             return sum.radiance / sum.weight;
         }
     }
 #endif
-    return shares.y * middle;
+    return fractions.y * middle;
 }
 #endif
 
@@ -168,9 +168,9 @@ void main()
     fresnel = step(1.0, fresnel); // beyond the critical angle nothing is refracted: the water's own colour is left
 #endif
     vec3 hit = surfaceW;
-    float share = 0.0;
+    float fraction = 0.0;
     vec3 above = vec3(0.0);
-    if (fresnel < 1.0) above = ior * ior * lookupAir(refracted, hit, share); // radiance grows by n² into the denser medium
+    if (fresnel < 1.0) above = ior * ior * lookupAir(refracted, hit, fraction); // radiance grows by n² into the denser medium
     vec3 reflected = reflectRay(-toEye, down);
     vec3 below = reflectedRadiance(reflected);
     float path = distance(surfaceW, eye);
@@ -183,13 +183,13 @@ void main()
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
 #ifdef NO_REFLECTION
-    const vec2 shares = vec2(1.0, 0.0);
+    const vec2 fractions = vec2(1.0, 0.0);
     const vec3 mirrored = vec3(0.0);
 #else
-    vec2 shares;
-    vec3 mirrored = mirroredTowards(toEye, surface, shares);
+    vec2 fractions;
+    vec3 mirrored = mirroredTowards(toEye, surface, fractions);
 #endif
-    float fresnel = shares.y;
+    float fresnel = fractions.y;
 
 #if defined(REFRACTION) || defined(RAYCAST)
     // What is mirrored is a mean over the pixel's facets. What is seen through them is that of the facet in its middle: one
@@ -209,16 +209,16 @@ void main()
     vec3 hit = surfaceW;
     float path = 0.0;
 #endif
-    vec3 radiance = mirrored + radianceThroughSurface(shares.x, ior) * below;
+    vec3 radiance = mirrored + radianceThroughSurface(fractions.x, ior) * below;
 #ifdef NO_REFLECTION
     // nor the sun
 #elif defined(PHONG)
     // Lipp takes Fresnel's cosine from the plain normal too; here it is that of the surface that mirrors.
-    radiance += phongGlint(sunIrradiance, shares.y, surface.plainNormal, toEye, sunDirection, phongExponent, phongStrength);
+    radiance += phongGlint(sunIrradiance, fractions.y, surface.plainNormal, toEye, sunDirection, phongExponent, phongStrength);
 #else
     // The sun itself is not in the reflection target: its image is spread over the waves that are too small to draw.
-    float glintFresnel = fresnelShares(max(dot(toEye, normalize(toEye + sunDirection)), 0.0)).y;
-    radiance += sunGlint(sunIrradiance, glintFresnel, surface.meanNormal, toEye, sunDirection, surface.roughness);
+    float glintFresnel = fresnelFractions(max(dot(toEye, normalize(toEye + sunDirection)), 0.0)).y;
+    radiance += sunGlint(sunIrradiance, glintFresnel, surface.meanNormal, toEye, sunDirection, surface.slopeVariance);
 #endif
 #endif
 
@@ -258,7 +258,7 @@ void main()
     fragment = shownFor(hit);
 #endif
 #ifdef UNDERWATER
-    if (share < 0.5) fragment.a = 0.5; // the sky was taken
+    if (fraction < 0.5) fragment.a = 0.5; // the sky was taken
 #endif
 #elif DEBUG_VIEW == 7
 #ifdef NO_REFLECTION

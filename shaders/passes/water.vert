@@ -13,7 +13,7 @@ out vec2 vertexSlope;
 
 void main()
 {
-    vec2 xz = vec2(gridPlace(waterGrid[0], line.x), gridPlace(waterGrid[1], line.y));
+    vec2 xz = vec2(gridPosition(waterGrid[0], line.x), gridPosition(waterGrid[1], line.y));
     vec2 cell = vec2(gridCell(waterGrid[0], line.x), gridCell(waterGrid[1], line.y));
     vec3 sum = vec3(0.0); // height and slope
 #define WAVE(i) sum += gridTerm(waves[i], xz, cell, time);

@@ -8,11 +8,11 @@ uniform sampler2D fresnelTable; // FRESNEL_TABLE: whether its texels are blended
 #endif
 
 // What of the light passes the surface, and what is mirrored.
-vec2 fresnelShares(float cosine)
+vec2 fresnelFractions(float cosine)
 {
 #ifdef FRESNEL_TABLE
-    float place = fresnelTablePlace(cosine, textureSize(fresnelTable, 0).x, FRESNEL_TABLE);
-    return textureLod(fresnelTable, vec2(place, 0.5), 0.0).rg;
+    float uv = fresnelTableCoordinate(cosine, textureSize(fresnelTable, 0).x, FRESNEL_TABLE);
+    return textureLod(fresnelTable, vec2(uv, 0.5), 0.0).rg;
 #else
 #ifdef EXACT_FRESNEL
     float f = fresnelExact(cosine, 1.0 / ior);

@@ -13,7 +13,7 @@ vec3 surfaceW; // U: on the waves themselves after surfaceHere()
 struct Surface {
     vec3 normal;     // N, up: of all waves, at U
     vec3 meanNormal; // of the waves that a pixel can show: about it lie the facets that mirror into the pixel
-    float roughness; // slope variance of the others
+    float slopeVariance; // slope variance of the others
     vec3 plainNormal; // the same as meanNormal, but for the normal map's bump factor
 };
 
@@ -57,23 +57,23 @@ uniform vec2 normalMapOffsets[4];
 vec2 slopeOf(vec3 normal) { return -normal.xz / normal.y; }
 
 // The normal map's slopes on top of the waves': those of the finest texels for the normal at U, those that a pixel can
-// show for the mean one, and what these have lost as roughness.
+// show for the mean one, and what these have lost as slope variance.
 void addRipples(inout Surface s)
 {
     vec2 across = dFdx(drawnW.xz) * (footprint / normalMapTile), along = dFdy(drawnW.xz) * (footprint / normalMapTile);
     vec3 sum = vec3(0.0), meanSum = vec3(0.0);
     float lost = 0.0;
     for (int i = 0; i < 4; ++i) {
-        vec2 place = surfaceW.xz / normalMapTile + normalMapOffsets[i];
-        sum += textureLod(normalMap, place, 0.0).xyz;
+        vec2 uv = surfaceW.xz / normalMapTile + normalMapOffsets[i];
+        sum += textureLod(normalMap, uv, 0.0).xyz;
 #ifdef FILTER_WAVES
-        vec4 mean = textureGrad(normalMap, place, across, along);
+        vec4 mean = textureGrad(normalMap, uv, across, along);
         meanSum += mean.xyz;
         lost += normalMapLostVariance(mean);
 #endif
     }
 #ifdef FILTER_WAVES
-    s.roughness += normalMapRoughness(lost, normalMapBump);
+    s.slopeVariance += normalMapSlopeVariance(lost, normalMapBump);
 #else
     meanSum = sum;
 #endif
@@ -86,13 +86,13 @@ void addRipples(inout Surface s)
 
 #ifndef VERTEX_NORMALS
 // A wave's slope at U, what of it a pixel with these edges (m, x and z) can show, and the variance that it cannot.
-void addSlope(WaveTerm w, vec2 across, vec2 along, inout vec2 slope, inout vec2 meanSlope, inout float roughness)
+void addSlope(WaveTerm w, vec2 across, vec2 along, inout vec2 slope, inout vec2 meanSlope, inout float slopeVariance)
 {
     vec2 termSlope = waveTerm(w, surfaceW.xz, time).yz;
     slope += termSlope;
 #ifdef FILTER_WAVES
     float weight = waveFilterOverPixel(w, across, along);
-    roughness += 0.5 * waveLostVariance(w, weight);
+    slopeVariance += 0.5 * waveFilteredVariance(w, weight);
     meanSlope += weight * termSlope;
 #endif
 }
@@ -102,7 +102,7 @@ Surface surfaceHere()
 {
     Surface s;
     surfaceW = drawnW;
-    s.roughness = sunRoughness * sunRoughness;
+    s.slopeVariance = sunSlopeDeviation * sunSlopeDeviation;
 #ifdef EACH_SURFACE_STEP
     moveToWaves();
 #endif
@@ -114,7 +114,7 @@ Surface surfaceHere()
     vec2 across = footprint * dFdx(drawnW.xz);
     vec2 along = footprint * dFdy(drawnW.xz);
     vec2 slope = vec2(0.0), meanSlope = vec2(0.0);
-#define WAVE(i) addSlope(waves[i], across, along, slope, meanSlope, s.roughness);
+#define WAVE(i) addSlope(waves[i], across, along, slope, meanSlope, s.slopeVariance);
     EACH_WAVE
 #undef WAVE
     s.normal = waveNormal(slope);

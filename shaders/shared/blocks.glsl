@@ -54,7 +54,7 @@ UNIFORM_BLOCK(FrameBlock) {
     vec3 deepRadiance;   // radiance inside infinitely deep water
     float lightCount;
     vec3 skyBelow;       // irradiance of the sky on an upward surface just under flat water
-    float sunRoughness;  // base slope deviation of the sun's glint
+    float sunSlopeDeviation;  // base slope deviation of the sun's glint
     vec4 waterRect;      // centre x, z and half extent x, z
     GridAxis waterGrid[2];   // of the drawn surface, along x and z
     vec4 skyIrradiance[9];   // spherical harmonics, lighting.glsl

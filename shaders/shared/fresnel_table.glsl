@@ -13,7 +13,7 @@ SHARED float fresnelTableCosine(int texel, int size, bool blends)
 }
 
 // Where a cosine is found, as a texture coordinate: the texels' middles lie at (i + 0.5) / size.
-SHARED float fresnelTablePlace(float cosine, int size, bool blends)
+SHARED float fresnelTableCoordinate(float cosine, int size, bool blends)
 {
     float c = clamp(cosine, 0.0, 1.0);
     if (blends) return (c * float(size - 1) + 0.5) / float(size);

@@ -21,16 +21,16 @@ SHARED float reflectionStepsPerUnit(float rayY)
 // The share of a step at which the ray's line meets the ground's: both run straight between their heights before and
 // after it. The listing divides by cpy - cpy + depth - olddepth; the derivation above it has cpoy - cpy, which is right.
 // The ray must be over the ground before the step and not over it after; else the answer is no share.
-SHARED float crossingShare(float rayBefore, float groundBefore, float rayAfter, float groundAfter)
+SHARED float crossingFraction(float rayBefore, float groundBefore, float rayAfter, float groundAfter)
 {
     return (rayBefore - groundBefore) / (rayBefore - rayAfter + groundAfter - groundBefore);
 }
 
 // Height of the bilinear patch between four heights, at a place within 0..1.
 // corners: at (0, 0), (1, 0), (0, 1) and (1, 1).
-SHARED float patchHeight(vec4 corners, vec2 place)
+SHARED float patchHeight(vec4 corners, vec2 position)
 {
-    return mix(mix(corners.x, corners.y, place.x), mix(corners.z, corners.w, place.x), place.y);
+    return mix(mix(corners.x, corners.y, position.x), mix(corners.z, corners.w, position.x), position.y);
 }
 
 // How far along a ray it first meets the patch, or -1 where it does not on its way through the cell. 0 where it starts
@@ -39,13 +39,13 @@ SHARED float patchHeight(vec4 corners, vec2 place)
 // within: metres to where the ray leaves the cell.
 SHARED float patchCrossing(vec4 corners, vec3 from, vec3 along, float within)
 {
-    vec2 place = vec2(from.x, from.y);
+    vec2 position = vec2(from.x, from.y);
     vec2 way = vec2(along.x, along.y);
     float twist = corners.x - corners.y - corners.z + corners.w;
     // Height over the patch as a function of the metres t: a t² + b t + c.
-    float c = from.z - patchHeight(corners, place);
+    float c = from.z - patchHeight(corners, position);
     if (c <= 0.0) return 0.0;
-    float b = along.z - (corners.y - corners.x + twist * place.y) * way.x - (corners.z - corners.x + twist * place.x) * way.y;
+    float b = along.z - (corners.y - corners.x + twist * position.y) * way.x - (corners.z - corners.x + twist * position.x) * way.y;
     float a = -twist * way.x * way.y;
     float discriminant = b * b - 4.0 * a * c;
     if (discriminant < 0.0) return -1.0;

@@ -31,8 +31,8 @@ SHARED float normalMapLostVariance(vec4 texel)
 }
 
 // The same of the mean of four layers, from the sum of theirs: they lie beside each other as if by chance.
-SHARED float normalMapRoughness(float lostVariances, float bump)
+SHARED float normalMapSlopeVariance(float filteredVariances, float bump)
 {
     float steeper = max(bump, 0.02);
-    return lostVariances / (16.0 * steeper * steeper);
+    return filteredVariances / (16.0 * steeper * steeper);
 }

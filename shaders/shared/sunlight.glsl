@@ -9,25 +9,25 @@
 
 // How far light moves sideways, x and z, for each metre that it rises. Straight up there is none; a sun on the horizon
 // has no crossing and must not be asked for.
-SHARED vec2 sunSlant(vec3 toSun)
+SHARED vec2 sunShear(vec3 toSun)
 {
     return vec2(toSun.x, toSun.z) / toSun.y;
 }
 
 // x and z at which the light through a point crosses the level.
-SHARED vec2 sunPlane(vec3 point, float level, vec2 slant)
+SHARED vec2 sunPlane(vec3 point, float level, vec2 shear)
 {
-    return vec2(point.x, point.z) - slant * (point.y - level);
+    return vec2(point.x, point.z) - shear * (point.y - level);
 }
 
 // How the height of a flat surface changes per metre of the plane's coordinates, x and z. On the plane with normal n
-// through p: n·(p' - p) = 0 with x = u + slant y. A surface along the light has none; the limit keeps it finite and
+// through p: n·(p' - p) = 0 with x = u + shear y. A surface along the light has none; the limit keeps it finite and
 // is steeper than anything that receives light worth a shadow.
 // n: its normal; the sign does not matter.
-SHARED vec2 sunPlaneGradient(vec3 n, vec2 slant)
+SHARED vec2 sunPlaneGradient(vec3 n, vec2 shear)
 {
     const float steepest = 8.0;
-    float along = n.y + n.x * slant.x + n.z * slant.y;
+    float along = n.y + n.x * shear.x + n.z * shear.y;
     float floored = max(abs(along), 1.0e-6);
     vec2 gradient = -vec2(n.x, n.z) / (along < 0.0 ? -floored : floored);
     float size = length(gradient);
@@ -42,7 +42,7 @@ SHARED float photonWeight(vec2 offset)
 }
 
 // How much of a photon's light is taken at the level of a texel: the area of a photon's cell over that of a texel.
-SHARED float photonShare(float cellEdge, float texelEdge)
+SHARED float photonFraction(float cellEdge, float texelEdge)
 {
     return (cellEdge / texelEdge) * (cellEdge / texelEdge);
 }

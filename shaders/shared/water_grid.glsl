@@ -26,7 +26,7 @@ SHARED float gridParameter(GridAxis axis, float line)
 }
 
 // Where a line stands, m; lines count from 0.
-SHARED float gridPlace(GridAxis axis, float line)
+SHARED float gridPosition(GridAxis axis, float line)
 {
     float last = axis.vertices - 1.0;
     if (line <= 0.0) return axis.lower;
@@ -44,17 +44,17 @@ SHARED float gridCell(GridAxis axis, float line)
     return axis.scale * gridCosh(gridParameter(axis, line)) * step;
 }
 
-// The line at a place, with the way to the next as its fraction: gridPlace's inverse. 0 to vertices - 1.
-SHARED float gridLine(GridAxis axis, float place)
+// The line at a position, with the way to the next as its fraction: gridPosition's inverse. 0 to vertices - 1.
+SHARED float gridLine(GridAxis axis, float position)
 {
     float last = axis.vertices - 1.0;
-    float x = clamp(place, axis.lower, axis.upper);
+    float x = clamp(position, axis.lower, axis.upper);
     float line;
     if (axis.scale <= 0.0) {
         line = (x - axis.lower) / (axis.upper - axis.lower) * last;
     } else {
-        float second = gridPlace(axis, 1.0);
-        float lastButOne = gridPlace(axis, last - 1.0);
+        float second = gridPosition(axis, 1.0);
+        float lastButOne = gridPosition(axis, last - 1.0);
         if (x < second) {
             line = (x - axis.lower) / (second - axis.lower);
         } else if (x > lastButOne) {
@@ -78,9 +78,9 @@ SHARED float gridFade(WaveTerm w, vec2 cell)
 }
 
 // Height and slope of a component at a vertex.
-SHARED vec3 gridTerm(WaveTerm w, vec2 place, vec2 cell, float t)
+SHARED vec3 gridTerm(WaveTerm w, vec2 position, vec2 cell, float t)
 {
-    return gridFade(w, cell) * waveTerm(w, place, t);
+    return gridFade(w, cell) * waveTerm(w, position, t);
 }
 
 // Height of the surface as it is drawn: the triangulation is that of src/render/water_grid.cpp. x lies in the rectangle
@@ -89,8 +89,8 @@ SHARED float gridHeight(WAVE_ARRAY int count, vec2 x, float t, GridAxis axisX, G
 {
     vec2 corner = vec2(min(floor(gridLine(axisX, x.x)), axisX.vertices - 2.0),
                        min(floor(gridLine(axisZ, x.y)), axisZ.vertices - 2.0));
-    vec2 lower = vec2(gridPlace(axisX, corner.x), gridPlace(axisZ, corner.y));
-    vec2 upper = vec2(gridPlace(axisX, corner.x + 1.0), gridPlace(axisZ, corner.y + 1.0));
+    vec2 lower = vec2(gridPosition(axisX, corner.x), gridPosition(axisZ, corner.y));
+    vec2 upper = vec2(gridPosition(axisX, corner.x + 1.0), gridPosition(axisZ, corner.y + 1.0));
     vec2 f = clamp((x - lower) / max(upper - lower, vec2(1.0e-9)), vec2(0.0), vec2(1.0));
     vec2 cellLower = vec2(gridCell(axisX, corner.x), gridCell(axisZ, corner.y));
     vec2 cellUpper = vec2(gridCell(axisX, corner.x + 1.0), gridCell(axisZ, corner.y + 1.0));

@@ -9,7 +9,7 @@
 struct WaveSample {
     float height;       // m above the level
     vec2 slope;         // dy/dx, dy/dz
-    float lostVariance; // of the slope, per axis: what the footprint averaged away
+    float filteredVariance; // of the slope, per axis: what the footprint averaged away
 };
 
 // One component: height, dy/dx, dy/dz at x (m) and t (s).
@@ -38,7 +38,7 @@ SHARED float waveFilterOverPixel(WaveTerm w, vec2 across, vec2 along)
 }
 
 // Variance of a component's slope along its direction that its weight takes away: A²k²/2 is all of it.
-SHARED float waveLostVariance(WaveTerm w, float weight)
+SHARED float waveFilteredVariance(WaveTerm w, float weight)
 {
     float steepness = w.amplitude * w.wavenumber;
     return 0.5 * steepness * steepness * (1.0 - weight * weight);
@@ -50,14 +50,14 @@ SHARED WaveSample waveSum(WAVE_ARRAY int count, vec2 x, float t, float footprint
     WaveSample result;
     result.height = 0.0;
     result.slope = vec2(0.0);
-    result.lostVariance = 0.0;
+    result.filteredVariance = 0.0;
     for (int i = 0; i < count; ++i) {
         float weight = waveFilter(waves[i], footprint);
         vec3 term = weight * waveTerm(waves[i], x, t);
         result.height += term.x;
         result.slope += vec2(term.y, term.z);
         // Half of it to each axis: the glint that takes it up is round.
-        result.lostVariance += 0.5 * waveLostVariance(waves[i], weight);
+        result.filteredVariance += 0.5 * waveFilteredVariance(waves[i], weight);
     }
     return result;
 }

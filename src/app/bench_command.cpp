@@ -29,23 +29,23 @@ Settings changed(Settings settings, const std::string& assignment, const char* o
 using Configuration = std::pair<std::string, Settings>;
 
 /// In how many frames a rule applied.
-struct RuleShare {
+struct RuleFraction {
     RuleId id;
     int frames = 0;
     int of = 0;
 };
 
-std::vector<RuleShare> sharesOf(const RenderedSubject& subject)
+std::vector<RuleFraction> fractionsOf(const RenderedSubject& subject)
 {
-    std::vector<RuleShare> shares;
+    std::vector<RuleFraction> fractions;
     for (std::size_t i = 0; i < ruleCount; ++i)
-        shares.push_back({static_cast<RuleId>(i), subject.ruleFrames()[i], subject.measuredFrames()});
-    return shares;
+        fractions.push_back({static_cast<RuleId>(i), subject.ruleFrames()[i], subject.measuredFrames()});
+    return fractions;
 }
 
 /// Of the frames that will be measured, drawn once with the settings as they are.
-std::vector<RuleShare> sharesBefore(const BenchCommand& command, Session& session, const Settings& settings,
-                                    const SubjectView& view)
+std::vector<RuleFraction> fractionsBefore(const BenchCommand& command, Session& session, const Settings& settings,
+                                          const SubjectView& view)
 {
     constexpr bool keepsPictures = true;
     RenderedSubject subject("planned", session, settings, view, keepsPictures);
@@ -53,40 +53,40 @@ std::vector<RuleShare> sharesBefore(const BenchCommand& command, Session& sessio
         subject.prepare(index, index > 0);
         subject.draw(index);
     }
-    return sharesOf(subject);
+    return fractionsOf(subject);
 }
 
-nlohmann::json toJson(const std::vector<RuleShare>& shares)
+nlohmann::json toJson(const std::vector<RuleFraction>& fractions)
 {
     nlohmann::json json = nlohmann::json::array();
-    for (const RuleShare& share : shares)
-        json.push_back({{"name", rule(share.id).name}, {"frames", share.frames}, {"of", share.of}});
+    for (const RuleFraction& fraction : fractions)
+        json.push_back({{"name", rule(fraction.id).name}, {"frames", fraction.frames}, {"of", fraction.of}});
     return json;
 }
 
-std::string toTable(const std::vector<RuleShare>& shares)
+std::string toTable(const std::vector<RuleFraction>& fractions)
 {
     std::string text = "\nframes in which each rule of the plan applied\n";
-    for (const RuleShare& share : shares)
-        text += fmt::format("  {:<22}{:>5} of {}\n", rule(share.id).name, share.frames, share.of);
+    for (const RuleFraction& fraction : fractions)
+        text += fmt::format("  {:<22}{:>5} of {}\n", rule(fraction.id).name, fraction.frames, fraction.of);
     return text;
 }
 
 /// The frame without any plan, without each rule that applies, and last, as the base, with all of them.
-std::vector<Configuration> rulesOf(const Settings& settings, const std::vector<RuleShare>& applied)
+std::vector<Configuration> rulesOf(const Settings& settings, const std::vector<RuleFraction>& applied)
 {
     std::vector<Configuration> configurations;
     configurations.emplace_back("full", changed(settings, "plan.enabled=false", "--rules"));
-    for (const RuleShare& share : applied) {
-        const std::string assignment = fmt::format("plan.{}=false", rule(share.id).name);
-        if (share.frames > 0) configurations.emplace_back(assignment, changed(settings, assignment, "--rules"));
+    for (const RuleFraction& fraction : applied) {
+        const std::string assignment = fmt::format("plan.{}=false", rule(fraction.id).name);
+        if (fraction.frames > 0) configurations.emplace_back(assignment, changed(settings, assignment, "--rules"));
     }
     configurations.emplace_back("planned", settings);
     return configurations;
 }
 
 std::vector<Configuration> configurationsOf(const BenchCommand& command, const Settings& settings,
-                                            const std::vector<RuleShare>& applied)
+                                            const std::vector<RuleFraction>& applied)
 {
     std::vector<Configuration> configurations;
     if (command.table) {
@@ -115,18 +115,18 @@ void run(const BenchCommand& command)
     requireWritableJson(command.json);
     if (command.startup) return benchStartup(command);
     TerminalProgress progress;
-    const Stage stage = loadStage(command.scene, &progress);
-    const SubjectView view{.camera = chooseCamera(stage.scene, command.view.camera),
+    const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
+    const SubjectView view{.camera = chooseCamera(sceneSetup.scene, command.view.camera),
                            .time = command.view.time,
                            .size = command.view.size,
-                           .flight = command.flight ? stage.scene.cameras : std::vector<Camera>{},
+                           .flight = command.flight ? sceneSetup.scene.cameras : std::vector<Camera>{},
                            .frames = command.frames};
 
-    Session session(stage, command.view.size, &progress);
-    if (command.flight) warmUp(session.renderer(), stage.settings.water);
-    std::vector<RuleShare> shares;
-    if (command.rules) shares = sharesBefore(command, session, stage.settings, view);
-    const std::vector<Configuration> configurations = configurationsOf(command, stage.settings, shares);
+    Session session(sceneSetup, command.view.size, &progress);
+    if (command.flight) warmUp(session.renderer(), sceneSetup.settings.water);
+    std::vector<RuleFraction> fractions;
+    if (command.rules) fractions = fractionsBefore(command, session, sceneSetup.settings, view);
+    const std::vector<Configuration> configurations = configurationsOf(command, sceneSetup.settings, fractions);
     std::vector<std::unique_ptr<BenchSubject>> subjects;
     std::vector<const RenderedSubject*> rendered; // the same
     for (const auto& [name, settings] : configurations) {
@@ -141,15 +141,15 @@ void run(const BenchCommand& command)
     report.context = {{"machine", machineText()},
                       {"renderer", session.context().renderer()},
                       {"OpenGL", session.context().version()},
-                      {"scene", stage.scene.file.string()},
+                      {"scene", sceneSetup.scene.file.string()},
                       {"camera", command.flight ? "a flight past all of the scene's" : view.camera.name},
                       {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
     // The settings as given: the first, or with --rules the last of the configurations.
     const RenderedSubject& given = command.rules ? *rendered.back() : *rendered.front();
-    shares = sharesOf(given);
+    fractions = fractionsOf(given);
     nlohmann::json json = command.table ? toJson(*command.table, report) : toJson(report);
     json["plan"] = toJson(given.plan());
-    json["rules"] = toJson(shares);
+    json["rules"] = toJson(fractions);
     const ProcessMemory memory = processMemory();
     json["memory"] = {{"resident_bytes", memory.resident},
                       {"file_bytes", memory.files},
@@ -158,7 +158,7 @@ void run(const BenchCommand& command)
     writeJson(command.json, json);
     if (command.json != "-") {
         fmt::print("{}", command.table ? toMarkdown(*command.table, report) + yardstickLines(report) : toTable(report));
-        if (!command.table) fmt::print("{}", toTable(shares));
+        if (!command.table) fmt::print("{}", toTable(fractions));
     }
 }
 

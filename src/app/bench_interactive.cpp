@@ -37,10 +37,10 @@ void runInteractive(const BenchCommand& command)
 {
     requireWritableJson(command.json);
     TerminalProgress progress;
-    const Stage stage = loadStage(command.scene, &progress);
-    const std::vector<Camera>& cameras = stage.scene.cameras;
-    Session session(stage, command.view.size, &progress);
-    warmUp(session.renderer(), stage.settings.water, &progress);
+    const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
+    const std::vector<Camera>& cameras = sceneSetup.scene.cameras;
+    Session session(sceneSetup, command.view.size, &progress);
+    warmUp(session.renderer(), sceneSetup.settings.water, &progress);
     drawEachCamera(session, cameras, command.view);
 
     const std::vector<RecordedInput> inputs = recordFlight(cameras.size(), command.seconds);
@@ -60,7 +60,7 @@ void runInteractive(const BenchCommand& command)
     const BenchContext context = {{"machine", machineText()},
                                   {"renderer", session.context().renderer()},
                                   {"OpenGL", session.context().version()},
-                                  {"scene", stage.scene.file.string()},
+                                  {"scene", sceneSetup.scene.file.string()},
                                   {"flight", fmt::format("{} s past {} cameras", command.seconds, cameras.size())},
                                   {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)}};
     nlohmann::json json = toJson(times);

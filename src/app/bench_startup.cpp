@@ -101,17 +101,17 @@ void benchStartup(const BenchCommand& command)
     const auto context = gl::makeHeadlessContext(command.view.size);
     requireDrawable(command.view.size);
     Bell bell;
-    Stage stage; // outlives what shows it
+    SceneSetup sceneSetup; // outlives what shows it
     LivePicture picture(*context, [&bell] { bell.ring(); });
     picture.times().note(StartupEvent::context);
-    stage = loadStage(command.scene, &progress);
-    const Camera camera = chooseCamera(stage.scene, command.view.camera);
-    picture.show(stage.scene, stage.settings);
-    SpareMemory spare(stage.scene);
-    showUntilBuilt(
-        picture,
-        {camera, command.view.time, command.view.size, DebugView::final, stage.settings.options, stage.settings.water},
-        spare, bell, progress);
+    sceneSetup = loadSceneSetup(command.scene, &progress);
+    const Camera camera = chooseCamera(sceneSetup.scene, command.view.camera);
+    picture.show(sceneSetup.scene, sceneSetup.settings);
+    SpareMemory spare(sceneSetup.scene);
+    showUntilBuilt(picture,
+                   {camera, command.view.time, command.view.size, DebugView::final, sceneSetup.settings.options,
+                    sceneSetup.settings.water},
+                   spare, bell, progress);
 
     const ProcessMemory memory = processMemory();
     nlohmann::json json{
@@ -119,7 +119,7 @@ void benchStartup(const BenchCommand& command)
         {"renderer", context->renderer()},
         {"OpenGL", context->version()},
         {"shader_cache", cacheText()},
-        {"scene", stage.scene.file.string()},
+        {"scene", sceneSetup.scene.file.string()},
         {"size", fmt::format("{}x{}", command.view.size.x, command.view.size.y)},
         {"events", toJson(picture.times())},
         {"memory", {{"resident_bytes", memory.resident}, {"file_bytes", memory.files}, {"peak_bytes", memory.peak}}}};

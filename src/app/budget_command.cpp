@@ -1,7 +1,7 @@
 // tarn budget: which part of a picture's error each approximation of the frame owns.
 #include "app/commands.h"
 #include "app/error_budget.h"
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "base/error.h"
 #include "measure/trade/trade_json.h"
 
@@ -13,16 +13,16 @@ void run(const BudgetCommand& command)
 {
     requireWritableJson(command.json);
     TerminalProgress progress;
-    const Stage stage = loadStage(command.scene, &progress);
-    const Camera camera = chooseCamera(stage.scene, command.view.camera);
-    const Settings& settings = stage.settings;
+    const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
+    const Camera camera = chooseCamera(sceneSetup.scene, command.view.camera);
+    const Settings& settings = sceneSetup.settings;
     requireOneEye(settings, "errors are measured in one eye's picture");
     if (!settings.water.present || !settings.options.water.enabled)
-        throw Error("{}: has no water, and so none of the errors that a budget parts", stage.scene.file.string());
+        throw Error("{}: has no water, and so none of the errors that a budget parts", sceneSetup.scene.file.string());
 
-    Session session(stage, command.view.size, &progress);
-    const reference::Tracer tracer(stage.scene, settings.water, settings.options.water.sunRoughness);
-    const ErrorBudget budget = measureBudget({.scene = stage.scene,
+    Session session(sceneSetup, command.view.size, &progress);
+    const reference::Tracer tracer(sceneSetup.scene, settings.water, settings.options.water.sunSlopeDeviation);
+    const ErrorBudget budget = measureBudget({.scene = sceneSetup.scene,
                                               .settings = settings,
                                               .camera = camera,
                                               .time = command.view.time,
@@ -32,7 +32,7 @@ void run(const BudgetCommand& command)
                                              session, tracer, &progress);
 
     nlohmann::json json = toJson(budget);
-    json["scene"] = stage.scene.file.string();
+    json["scene"] = sceneSetup.scene.file.string();
     json["camera"] = camera.name;
     json["time"] = command.view.time;
     json["size"] = {command.view.size.x, command.view.size.y};

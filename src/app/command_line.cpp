@@ -420,11 +420,11 @@ std::function<Command()> defineMaps(Flags& flags)
 {
     auto command = std::make_shared<MapsCommand>();
     addScene(flags, command->scene);
-    flags.value("--out", "DIR", "Folder of bed.exr and afloat.exr; made when it is not there",
+    flags.value("--out", "DIR", "Folder of bed.exr and above_water.exr; made when it is not there",
                 [command = command.get()](const std::string& text, const std::string&) { command->out = text; });
     flags.text("--json", "FILE", jsonDoc, command->json);
     return [command]() -> Command {
-        if (command->out.empty()) throw UsageError("maps needs --out DIR, a folder for bed.exr and afloat.exr");
+        if (command->out.empty()) throw UsageError("maps needs --out DIR, a folder for bed.exr and above_water.exr");
         return *command;
     };
 }

@@ -47,7 +47,8 @@ void requirePair(const DisparityCommand& command, const TrueEye& left, const Tru
 }
 
 /// Of the pictures that the settings draw for the same eyes, by both ways in which water shows things.
-std::array<DisparityErrors, 2> measure(Session& session, const Stage& stage, const TrueEye& left, const TrueEye& right)
+std::array<DisparityErrors, 2> measure(Session& session, const SceneSetup& sceneSetup, const TrueEye& left,
+                                       const TrueEye& right)
 {
     const auto drawn = [&](const TrueEye& eye) {
         return readQuantities(session.renderer(), eye.view.camera, eye.view.time, eye.picture.size);
@@ -57,7 +58,7 @@ std::array<DisparityErrors, 2> measure(Session& session, const Stage& stage, con
         return disparityErrors(
             {pointsShown(usedLeft, left.view.camera, way), pointsShown(usedRight, right.view.camera, way)},
             {pointsShown(left.picture, left.view.camera, way), pointsShown(right.picture, right.view.camera, way)},
-            stage.settings.water, way);
+            sceneSetup.settings.water, way);
     };
     return {errors(ShownBy::refraction), errors(ShownBy::reflection)};
 }
@@ -118,22 +119,22 @@ void run(const DisparityCommand& command)
     if (!command.out.empty()) requireWritablePicture(command.out);
     requireWritableJson(command.json);
     TerminalProgress progress;
-    const Stage stage = loadStage(command.scene, &progress);
-    requireOneEye(stage.settings, "the eyes are the reference's");
-    const TrueEye left = readEye(eyeFile(command.reference, Eye::left), Eye::left, stage.scene);
-    const TrueEye right = readEye(eyeFile(command.reference, Eye::right), Eye::right, stage.scene);
+    const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
+    requireOneEye(sceneSetup.settings, "the eyes are the reference's");
+    const TrueEye left = readEye(eyeFile(command.reference, Eye::left), Eye::left, sceneSetup.scene);
+    const TrueEye right = readEye(eyeFile(command.reference, Eye::right), Eye::right, sceneSetup.scene);
     requirePair(command, left, right);
-    Session session(stage, left.picture.size, &progress);
-    const auto errors = measure(session, stage, left, right);
+    Session session(sceneSetup, left.picture.size, &progress);
+    const auto errors = measure(session, sceneSetup, left, right);
 
     writeMap(command, errors[static_cast<std::size_t>(command.mapped)].map,
-             pictureHeader(stage, left.view.camera, left.view.time));
+             pictureHeader(sceneSetup, left.view.camera, left.view.time));
     nlohmann::json json{{"reference", command.reference.string()},
-                        {"scene", stage.scene.file.string()},
+                        {"scene", sceneSetup.scene.file.string()},
                         {"camera", left.view.camera.name},
                         {"time", left.view.time},
                         {"size", {left.picture.size.x, left.picture.size.y}},
-                        {"settings", nlohmann::json::parse(settingsJson(stage.settings))}};
+                        {"settings", nlohmann::json::parse(settingsJson(sceneSetup.settings))}};
     for (std::size_t way = 0; way < errors.size(); ++way) json[shownByNames[way]] = toJson(errors[way]);
     writeJson(command.json, json);
     if (command.json == "-") return;

@@ -1,7 +1,7 @@
 #include "app/error_budget.h"
 
 #include "app/reference_view.h"
-#include "app/trade_lab.h"
+#include "app/trade_experiment.h"
 #include "base/progress.h"
 #include "gl/context.h"
 #include "measure/display.h"
@@ -94,8 +94,8 @@ struct Parts {
                 targetCamera(refractionView(camera, aspect(), settings.water, options(), false));
             using Method = RefractionOptions::Method;
             const bool planar = refraction.method == Method::planar;
-            texels = [target, edge = refraction.targetSize](ViewRequest& view) {
-                view.approximations.refractionTexels = {target, edge};
+            texels = [target, resolution = refraction.targetSize](ViewRequest& view) {
+                view.approximations.refractionTexels = {target, resolution};
             };
             coverage = [target](ViewRequest& view) { view.approximations.refraction = target; };
             // The reference knows the search in a target alone, not the march through a map.
@@ -122,8 +122,8 @@ struct Parts {
         if (options().water.reflects && reflection.enabled && !isUnderwater()) {
             const reference::TargetCamera target =
                 targetCamera(reflectionView(camera, aspect(), settings.water, reflection, false));
-            texels = [target, edge = reflection.targetSize](ViewRequest& view) {
-                view.approximations.reflectionTexels = {target, edge};
+            texels = [target, resolution = reflection.targetSize](ViewRequest& view) {
+                view.approximations.reflectionTexels = {target, resolution};
             };
             using Method = ReflectionOptions::Method;
             const bool searches = reflection.method == Method::iterative;
@@ -201,7 +201,7 @@ struct Parts {
         const SunlightOptions& sunlight = options().sunlight;
         std::function<void(ViewRequest&)> shadows;
         if (sunlight.shadows && scene.sun) {
-            reference::ShadowTexels map{.cascades = {}, .edge = sunlight.mapSize, .taps = sunlight.taps};
+            reference::ShadowTexels map{.cascades = {}, .resolution = sunlight.mapSize, .taps = sunlight.taps};
             const SunVolume volume = sunVolume(settings.water, worldBounds(scene), scene.sun->direction, sunlight);
             for (std::size_t i = 0; i < volume.cascades.size(); ++i)
                 map.cascades.push_back({.rect = glm::dvec4(volume.cascades[i].centre, volume.cascades[i].halfExtent),

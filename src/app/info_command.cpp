@@ -1,6 +1,6 @@
 // tarn info: what this program, machine and scene are.
 #include "app/commands.h"
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "gl/context.h"
@@ -81,7 +81,7 @@ void run(const InfoCommand& command)
     info["machine"] = machineJson();
     {
         TerminalProgress progress;
-        info["scene"] = sceneJson(loadStage(command.scene, &progress).scene);
+        info["scene"] = sceneJson(loadSceneSetup(command.scene, &progress).scene);
     }
     writeJson(command.json, info);
     if (command.json == "-") return;

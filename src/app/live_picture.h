@@ -2,7 +2,7 @@
 // need are built, then the renderer's. Both are drawn in threads of their own, so that who shows them never waits.
 //
 //     LivePicture picture(window, wake);      // builds the draft's programs while the scene is read
-//     picture.show(stage);
+//     picture.show(sceneSetup);
 //     …
 //     picture.ask(request);
 //     if (picture.take()) picture.copyTo(screen);

@@ -29,10 +29,10 @@ Camera overWater(const WaterBody& water)
 }
 
 /// A frame that marches through both maps, and draws them: none that the scene has from outside.
-void wantBothDrawn(Stage& stage)
+void requireBothMaps(SceneSetup& sceneSetup)
 {
-    stage.scene.maps = {};
-    Options& options = stage.settings.options;
+    sceneSetup.scene.maps = {};
+    Options& options = sceneSetup.settings.options;
     options.refraction.enabled = options.reflection.enabled = options.water.reflects = true;
     options.refraction.method = RefractionOptions::Method::raycast;
     options.reflection.method = ReflectionOptions::Method::raycast;
@@ -47,32 +47,32 @@ void run(const MapsCommand& command)
     makeFolder(command.out);
     requireWritableFolder(command.out);
     TerminalProgress progress;
-    Stage stage = loadStage(command.scene, &progress);
-    if (!stage.settings.water.present || !stage.settings.options.water.enabled)
+    SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
+    if (!sceneSetup.settings.water.present || !sceneSetup.settings.options.water.enabled)
         throw Error("{}: has no water, and maps of heights are of what lies under it and stands over it",
-                    stage.scene.file.string());
-    wantBothDrawn(stage);
+                    sceneSetup.scene.file.string());
+    requireBothMaps(sceneSetup);
 
     constexpr ivec2 any(64); // the maps' own size is heights.map_size
-    Session session(stage, any, &progress);
-    const Camera camera = overWater(stage.settings.water);
+    Session session(sceneSetup, any, &progress);
+    const Camera camera = overWater(sceneSetup.settings.water);
     session.renderer().render({camera, 0.0, any});
     nlohmann::json files = nlohmann::json::array();
-    for (const MapKind kind : {MapKind::bed, MapKind::afloat}) {
+    for (const MapKind kind : {MapKind::bed, MapKind::aboveWater}) {
         const std::optional<HeightMapPicture> map = session.renderer().readMap(kind);
-        if (!map) throw Error("{}: the map '{}' was not drawn", stage.scene.file.string(), mapName(kind));
+        if (!map) throw Error("{}: the map '{}' was not drawn", sceneSetup.scene.file.string(), mapName(kind));
         const std::filesystem::path file = command.out / fmt::format("{}.exr", mapName(kind));
         writeMapPicture(file, *map,
                         {{"tarn:version", versionText()},
-                         {"tarn:scene", stage.scene.file.filename().string()},
-                         {"tarn:settings", settingsJson(stage.settings)}});
+                         {"tarn:scene", sceneSetup.scene.file.filename().string()},
+                         {"tarn:settings", settingsJson(sceneSetup.settings)}});
         files.push_back({{"map", mapName(kind)},
                          {"file", file.string()},
-                         {"edge", map->edge},
+                         {"resolution", map->resolution},
                          {"centre", {map->centre.x, map->centre.y}},
                          {"extent", {map->extent.x, map->extent.y}}});
     }
-    writeJson(command.json, {{"scene", stage.scene.file.string()}, {"maps", files}});
+    writeJson(command.json, {{"scene", sceneSetup.scene.file.string()}, {"maps", files}});
     if (command.json == "-") return;
     for (const nlohmann::json& file : files) fmt::print("{}\n", file.at("file").get<std::string>());
 }

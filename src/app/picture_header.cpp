@@ -9,7 +9,7 @@
 
 namespace tarn {
 
-std::map<std::string, std::string> pictureHeader(const Stage& stage, const Camera& camera, double time)
+std::map<std::string, std::string> pictureHeader(const SceneSetup& sceneSetup, const Camera& camera, double time)
 {
     const auto triple = [](const vec3& v) { return std::vector<float>{v.x, v.y, v.z}; };
     nlohmann::json view{{"name", camera.name},
@@ -19,10 +19,10 @@ std::map<std::string, std::string> pictureHeader(const Stage& stage, const Camer
                         {"vertical_fov_degrees", glm::degrees(camera.verticalFov)}};
     if (camera.lensShift != 0.0f) view["lens_shift"] = camera.lensShift;
     return {{"tarn:version", versionText()},
-            {"tarn:scene", stage.scene.file.filename().string()},
+            {"tarn:scene", sceneSetup.scene.file.filename().string()},
             {"tarn:camera", view.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)},
             {"tarn:time", fmt::format("{}", time)},
-            {"tarn:settings", settingsJson(stage.settings)}};
+            {"tarn:settings", settingsJson(sceneSetup.settings)}};
 }
 
 } // namespace tarn

@@ -1,7 +1,7 @@
 // What the header of a picture says about how it was made.
 #pragma once
 
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "scene/camera.h"
 
 #include <map>
@@ -11,6 +11,6 @@ namespace tarn {
 
 /// "tarn:version", "tarn:scene", "tarn:camera" (JSON: name, eye, target, up, vertical_fov_degrees, and lens_shift where
 /// it is not 0), "tarn:time" and "tarn:settings" (JSON of every option).
-std::map<std::string, std::string> pictureHeader(const Stage& stage, const Camera& camera, double time);
+std::map<std::string, std::string> pictureHeader(const SceneSetup& sceneSetup, const Camera& camera, double time);
 
 } // namespace tarn

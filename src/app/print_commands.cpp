@@ -3,11 +3,11 @@
 #include "app/options_markdown.h"
 #include "app/output.h"
 #include "app/plan_report.h"
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "render/frame_light.h"
-#include "render/look_around.h"
+#include "render/gather_visibility.h"
 #include "scene/sky.h"
 
 #include <nlohmann/json.hpp>
@@ -84,20 +84,22 @@ void run(const OptionsCommand& command)
 void run(const ExplainCommand& command)
 {
     requireWritableJson(command.json);
-    Stage stage;
+    SceneSetup sceneSetup;
     {
         TerminalProgress progress;
-        stage = loadStage(command.scene, &progress);
+        sceneSetup = loadSceneSetup(command.scene, &progress);
     }
-    const Camera camera = chooseCamera(stage.scene, command.view.camera);
+    const Camera camera = chooseCamera(sceneSetup.scene, command.view.camera);
     std::optional<DepthComplexity> complexity;
-    if (wantsDepthComplexity(stage.settings.options)) complexity = depthComplexity(stage.scene, stage.settings.water);
-    const Options& options = stage.settings.options;
-    const WaterBody& water = stage.settings.water;
-    const Sight sight = lookAround(listBoxes(stage.scene), stage.scene, water, camera, command.view.size, options,
-                                   frameBlock(stage.scene, water, SkyModel(stage.scene), options));
-    const FramePlan plan = planFrame(stage.scene, water, camera, options, command.view.size, command.view.time,
-                                     complexity ? &*complexity : nullptr, &sight);
+    if (wantsDepthComplexity(sceneSetup.settings.options))
+        complexity = depthComplexity(sceneSetup.scene, sceneSetup.settings.water);
+    const Options& options = sceneSetup.settings.options;
+    const WaterBody& water = sceneSetup.settings.water;
+    const VisibilityFacts visibility =
+        gatherVisibility(listBoxes(sceneSetup.scene), sceneSetup.scene, water, camera, command.view.size, options,
+                         frameBlock(sceneSetup.scene, water, SkyModel(sceneSetup.scene), options));
+    const FramePlan plan = planFrame(sceneSetup.scene, water, camera, options, command.view.size, command.view.time,
+                                     complexity ? &*complexity : nullptr, &visibility);
     writeJson(command.json, toJson(plan));
     if (command.json != "-") fmt::print("{}", toTable(plan));
 }

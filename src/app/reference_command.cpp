@@ -4,7 +4,7 @@
 #include "app/output.h"
 #include "app/picture_header.h"
 #include "app/reference_view.h"
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "app/stereo_files.h"
 #include "base/error.h"
 #include "reference/reference.h"
@@ -60,23 +60,23 @@ reference::Picture trace(const reference::Tracer& tracer, const ReferenceCommand
     }
 }
 
-void write(const Stage& stage, const ReferenceCommand& command, const Shot& shot, reference::Picture& picture)
+void write(const SceneSetup& sceneSetup, const ReferenceCommand& command, const Shot& shot, reference::Picture& picture)
 {
-    picture.metadata.merge(pictureHeader(stage, shot.camera, command.view.time));
+    picture.metadata.merge(pictureHeader(sceneSetup, shot.camera, command.view.time));
     if (shot.eye) picture.metadata["tarn:eye"] = eyeName(*shot.eye);
     if (shot.out.extension() == ".exr")
         reference::writePicture(shot.out, picture);
     else
-        writeImage(shot.out, displayPicture(picture, stage.settings.options.frame), picture.metadata);
+        writeImage(shot.out, displayPicture(picture, sceneSetup.settings.options.frame), picture.metadata);
     std::error_code ignored; // there is none when the work was short
     std::filesystem::remove(unfinishedFile(shot.out), ignored);
 }
 
-nlohmann::json reportJson(const ReferenceCommand& command, const Stage& stage, const Shot& shot,
+nlohmann::json reportJson(const ReferenceCommand& command, const SceneSetup& sceneSetup, const Shot& shot,
                           const reference::TraceReport& report)
 {
     nlohmann::json json{{"file", shot.out.string()},
-                        {"scene", stage.scene.file.string()},
+                        {"scene", sceneSetup.scene.file.string()},
                         {"camera", shot.camera.name},
                         {"time", command.view.time},
                         {"size", {command.view.size.x, command.view.size.y}},
@@ -86,7 +86,7 @@ nlohmann::json reportJson(const ReferenceCommand& command, const Stage& stage, c
                         {"seed", command.reference.seed},
                         {"seconds", report.seconds},
                         {"radiance_noise", report.radianceNoise},
-                        {"truncated_share", report.truncatedShare},
+                        {"truncated_fraction", report.truncatedFraction},
                         {"photons", report.photons},
                         {"caustics_noise", report.causticsNoise},
                         {"lost_photons", report.lostPhotons}};
@@ -99,7 +99,7 @@ void print(const ReferenceCommand& command, const Shot& shot, const reference::T
     fmt::print("{}\n  {} samples, noise {:.2g} of the mean luminance; not followed beyond {} meetings with the water: "
                "at most {:.2g} of the light\n",
                shot.out.string(), command.reference.samples, report.radianceNoise, command.reference.depth,
-               report.truncatedShare);
+               report.truncatedFraction);
     if (report.photons > 0)
         fmt::print("  {} photons, noise {:.2g} of the mean irradiance; {:.2g} of them met no bed\n", report.photons,
                    report.causticsNoise, report.lostPhotons);
@@ -112,22 +112,23 @@ void run(const ReferenceCommand& command)
     requireWritablePicture(command.out);
     requireWritableJson(command.json);
     TerminalProgress progress;
-    Stage stage = loadStage(command.scene, &progress);
-    if (!stage.settings.options.water.enabled) stage.settings.water.present = false;
+    SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
+    if (!sceneSetup.settings.options.water.enabled) sceneSetup.settings.water.present = false;
     const std::vector<Shot> shots =
-        shotsOf(command, chooseCamera(stage.scene, command.view.camera), stage.settings.options.stereo);
+        shotsOf(command, chooseCamera(sceneSetup.scene, command.view.camera), sceneSetup.settings.options.stereo);
 
-    const reference::Tracer tracer(stage.scene, stage.settings.water, stage.settings.options.water.sunRoughness);
+    const reference::Tracer tracer(sceneSetup.scene, sceneSetup.settings.water,
+                                   sceneSetup.settings.options.water.sunSlopeDeviation);
     InterruptGuard guard;
     std::vector<reference::TraceReport> reports;
     for (const Shot& shot : shots) {
         reference::Picture picture = trace(tracer, command, shot, progress, reports.emplace_back());
-        write(stage, command, shot, picture);
+        write(sceneSetup, command, shot, picture);
     }
 
     nlohmann::json json = nlohmann::json::array();
     for (std::size_t i = 0; i < shots.size(); ++i) {
-        json.push_back(reportJson(command, stage, shots[i], reports[i]));
+        json.push_back(reportJson(command, sceneSetup, shots[i], reports[i]));
         if (command.json != "-") print(command, shots[i], reports[i]);
     }
     writeJson(command.json, shots.size() == 1 ? json.front() : json);

@@ -79,28 +79,28 @@ void requireClean(const Renderer& renderer, const Shot& shot)
 }
 
 /// What a picture's header says of the view it shows.
-std::map<std::string, std::string> metadata(const RenderCommand& command, const Stage& stage, const Camera& camera,
-                                            double time)
+std::map<std::string, std::string> metadata(const RenderCommand& command, const SceneSetup& sceneSetup,
+                                            const Camera& camera, double time)
 {
-    std::map<std::string, std::string> header = pictureHeader(stage, camera, time);
+    std::map<std::string, std::string> header = pictureHeader(sceneSetup, camera, time);
     header["tarn:view"] = debugViewNames[static_cast<std::size_t>(command.debugView)];
     return header;
 }
 
 /// Returns the names of the files.
 std::vector<std::filesystem::path> writePictures(const Renderer& renderer, const RenderCommand& command,
-                                                 const Stage& stage, const Shot& shot)
+                                                 const SceneSetup& sceneSetup, const Shot& shot)
 {
     const bool linear = shot.file.extension() == ".exr";
     const Image image = linear ? renderer.readLinear() : renderer.readDisplay();
-    const StereoOptions& stereo = stage.settings.options.stereo;
+    const StereoOptions& stereo = sceneSetup.settings.options.stereo;
     if (stereo.output != StereoOptions::Output::pair) {
-        writeImage(shot.file, image, metadata(command, stage, shot.camera, shot.time));
+        writeImage(shot.file, image, metadata(command, sceneSetup, shot.camera, shot.time));
         return {shot.file};
     }
     std::vector<std::filesystem::path> files;
     for (const Eye eye : bothEyes) {
-        auto header = metadata(command, stage, eyeCamera(shot.camera, stereo, eye), shot.time);
+        auto header = metadata(command, sceneSetup, eyeCamera(shot.camera, stereo, eye), shot.time);
         header["tarn:eye"] = eyeName(eye);
         files.push_back(eyeFile(shot.file, eye));
         writeImage(files.back(), eyeHalf(image, eye), header);
@@ -128,18 +128,18 @@ void run(const RenderCommand& command)
     requireWritable(command);
     if (command.error) return renderError(command);
     TerminalProgress progress;
-    const Stage stage = loadStage(command.scene, &progress);
+    const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
     const std::vector<Shot> shots =
-        command.allCameras ? cameraShots(command, stage.scene) : sequenceShots(command, stage.scene);
-    for (const Shot& shot : shots) requireRadiance(stage.settings, shot);
-    Session session(stage, presentedSize(command.view.size, stage.settings.options.stereo.output), &progress);
+        command.allCameras ? cameraShots(command, sceneSetup.scene) : sequenceShots(command, sceneSetup.scene);
+    for (const Shot& shot : shots) requireRadiance(sceneSetup.settings, shot);
+    Session session(sceneSetup, presentedSize(command.view.size, sceneSetup.settings.options.stereo.output), &progress);
     Renderer& renderer = session.renderer();
     renderer.setChecking(command.check);
 
     nlohmann::json json{{"renderer", session.context().renderer()},
-                        {"scene", stage.scene.file.string()},
+                        {"scene", sceneSetup.scene.file.string()},
                         {"size", {command.view.size.x, command.view.size.y}},
-                        {"settings", nlohmann::json::parse(settingsJson(stage.settings))},
+                        {"settings", nlohmann::json::parse(settingsJson(sceneSetup.settings))},
                         {"frames", nlohmann::json::array()}};
     std::vector<std::filesystem::path> written;
     for (std::size_t i = 0; i < shots.size(); ++i) {
@@ -148,7 +148,7 @@ void run(const RenderCommand& command)
                         "rendering " + shot.file.filename().string());
         const FrameStats& stats = renderer.render({shot.camera, shot.time, command.view.size, command.debugView});
         if (command.check) requireClean(renderer, shot);
-        const auto files = writePictures(renderer, command, stage, shot);
+        const auto files = writePictures(renderer, command, sceneSetup, shot);
         json["frames"].push_back(statsJson(stats, shot, files));
         written.insert(written.end(), files.begin(), files.end());
     }

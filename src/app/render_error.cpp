@@ -76,10 +76,10 @@ void renderError(const RenderCommand& command)
 {
     const reference::Picture truth = reference::readPicture(command.reference);
     TerminalProgress progress;
-    const Stage stage = loadStage(command.scene, &progress);
-    requireOneEye(stage.settings, "errors are measured in one eye's picture");
-    const ReferenceView view = viewOf(command, truth, stage.scene);
-    Session session(stage, truth.size, &progress);
+    const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
+    requireOneEye(sceneSetup.settings, "errors are measured in one eye's picture");
+    const ReferenceView view = viewOf(command, truth, sceneSetup.scene);
+    Session session(sceneSetup, truth.size, &progress);
     session.renderer().setChecking(command.check);
     const WaterQuantities used = readQuantities(session.renderer(), view.camera, view.time, truth.size);
     for (const BadPixels& bad : session.renderer().badPixels())
@@ -88,13 +88,13 @@ void renderError(const RenderCommand& command)
 
     const ErrorKindInfo& kind = infoOf(*command.error);
     const double scale = command.errorScale > 0.0 ? command.errorScale : kind.scale;
-    writeMap(command, errorMap(*command.error, used, truth), scale, pictureHeader(stage, view.camera, view.time));
+    writeMap(command, errorMap(*command.error, used, truth), scale, pictureHeader(sceneSetup, view.camera, view.time));
     const ErrorFigures figures = errorFigures(used, truth);
     const WaterAgreement agreement = waterAgreement(used, truth);
     writeJson(command.json,
               {{"file", command.out},
                {"reference", command.reference.string()},
-               {"scene", stage.scene.file.string()},
+               {"scene", sceneSetup.scene.file.string()},
                {"camera", view.camera.name},
                {"time", view.time},
                {"size", {truth.size.x, truth.size.y}},
@@ -104,7 +104,7 @@ void renderError(const RenderCommand& command)
                {"figures", figuresJson(figures)},
                {"water_pixels",
                 {{"both", agreement.both}, {"only_here", agreement.onlyUsed}, {"only_reference", agreement.onlyTruth}}},
-               {"settings", nlohmann::json::parse(settingsJson(stage.settings))}});
+               {"settings", nlohmann::json::parse(settingsJson(sceneSetup.settings))}});
     if (command.json == "-") return;
     fmt::print("{}\n  error {} {}\n  full colour at {:g}{}{}; grey: not known\n", command.out, kind.name, kind.doc,
                scale, *kind.unit ? " " : "", kind.unit);

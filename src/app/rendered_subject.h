@@ -27,7 +27,7 @@ int longestInterval(const Options& options);
 class RenderedSubject : public BenchSubject {
 public:
     /// Keeps references to the session and the view.
-    /// @param keepsPictures what stays as it is from frame to frame, a target or all of the picture, is no price of a
+    /// @param keepsPictures what stays as it is from frame to frame, a target or all of the picture, is no cost of a
     ///        setting, and is drawn; true: it is kept, as the plan says
     RenderedSubject(std::string name, Session& session, Settings settings, const SubjectView& view,
                     bool keepsPictures = false);

@@ -5,12 +5,13 @@
 
 namespace tarn {
 
-Session::Session(const Stage& stage, ivec2 size, Progress* progress)
+Session::Session(const SceneSetup& sceneSetup, ivec2 size, Progress* progress)
     : context_(gl::makeHeadlessContext(size)), shaders_(makeShaderLibrary())
 {
     requireDrawable(size);
-    renderer_ = std::make_unique<Renderer>(stage.scene, stage.settings.options, *shaders_, profiler_, progress);
-    renderer_->setOptions(stage.settings.options, stage.settings.water);
+    renderer_ =
+        std::make_unique<Renderer>(sceneSetup.scene, sceneSetup.settings.options, *shaders_, profiler_, progress);
+    renderer_->setOptions(sceneSetup.settings.options, sceneSetup.settings.water);
 }
 
 void requireDrawable(ivec2 size)

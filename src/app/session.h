@@ -1,7 +1,7 @@
 // A headless context with a renderer in it.
 #pragma once
 
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "gl/context.h"
 #include "gl/profiler.h"
 #include "gl/shader_library.h"
@@ -13,8 +13,8 @@ namespace tarn {
 
 class Session {
 public:
-    /// Keeps a reference to the stage.
-    Session(const Stage& stage, ivec2 size, Progress* progress);
+    /// Keeps a reference to the set-up.
+    Session(const SceneSetup& sceneSetup, ivec2 size, Progress* progress);
 
     Renderer& renderer() { return *renderer_; }
     gl::Profiler& profiler() { return profiler_; }

@@ -1,8 +1,8 @@
 // Gives memory back to the system while the picture of a scene comes into being: the texels of its images once they are
 // on the graphics card, and what loading and compiling have freed.
 //
-//     SpareMemory spare(stage.scene);     // whose texels nothing else needs: no reference is traced, nothing uploaded
-//     again while (…) {
+//     SpareMemory spare(sceneSetup.scene);     // whose texels nothing else needs: no reference is traced, nothing
+//     uploaded again while (…) {
 //         picture.take();
 //         spare.release(picture);
 //     }

@@ -1,7 +1,7 @@
 // tarn trade: what every setting costs in time and in accuracy, measured, stored and told.
 #include "app/commands.h"
 #include "app/output.h"
-#include "app/trade_lab.h"
+#include "app/trade_experiment.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -58,15 +58,15 @@ std::string contentOf(const Scene& scene)
         for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     };
     add(readFile(scene.file));
-    for (const GivenMap* map : {&scene.maps.bed, &scene.maps.afloat})
+    for (const GivenMap* map : {&scene.maps.bed, &scene.maps.aboveWater})
         if (map->picture) add(readFile(map->picture->file));
     return fmt::format("{} vertices, {} faces, file {:016x}", vertices, faces, hash);
 }
 
-TradeSetup setupOf(const TradeCommand& command, const Stage& stage, const std::vector<Camera>& views)
+TradeSetup setupOf(const TradeCommand& command, const SceneSetup& sceneSetup, const std::vector<Camera>& views)
 {
     TradeSetup setup;
-    setup.describe = describerOf(stage.settings);
+    setup.describe = describerOf(sceneSetup.settings);
     const bool isLadder = !command.writeLadder.empty();
     std::vector<Preset> presets = command.sweeps.empty() ? loadPresets() : std::vector<Preset>{};
     if (isLadder) std::erase_if(presets, [](const Preset& preset) { return preset.name != "thesis"; }); // for `fast`
@@ -75,13 +75,13 @@ TradeSetup setupOf(const TradeCommand& command, const Stage& stage, const std::v
     setup.takesTurns = command.times.empty() && !isLadder; // few views, each of them timed
     setup.times = command.times;
     if (setup.times.empty()) setup.times = isLadder ? std::vector<double>{0.0} : std::vector<double>{0.0, 1.7};
-    setup.about = {{"scene", stage.scene.file.filename().string()},
-                   {"content", contentOf(stage.scene)},
+    setup.about = {{"scene", sceneSetup.scene.file.filename().string()},
+                   {"content", contentOf(sceneSetup.scene)},
                    {"size", fmt::format("{}x{}", command.size.x, command.size.y)},
                    {"frames", fmt::format("{}", command.frames)},
                    {"samples", fmt::format("{}", command.samples)},
                    {"version", versionText()},
-                   {"base", settingsJson(stage.settings)}};
+                   {"base", settingsJson(sceneSetup.settings)}};
     return setup;
 }
 
@@ -93,8 +93,8 @@ std::string today()
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, "; ")); }
 
-void writeResults(const TradeCommand& command, const Stage& stage, const TradeSetup& setup, const TradeStore& store,
-                  const TradeResults& results)
+void writeResults(const TradeCommand& command, const SceneSetup& sceneSetup, const TradeSetup& setup,
+                  const TradeStore& store, const TradeResults& results)
 {
     const auto write = [&](const char* name, const std::string& text) {
         writeFile(command.out / name, text);
@@ -104,17 +104,18 @@ void writeResults(const TradeCommand& command, const Stage& stage, const TradeSe
     write("results.json",
           toJson(setup, results, command.commandLine).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
               "\n");
-    write("report.html", tradeReport(setup, results, store, {titleOf(stage.scene), today(), command.commandLine}));
+    write("report.html", tradeReport(setup, results, store, {titleOf(sceneSetup.scene), today(), command.commandLine}));
 }
 
-void writePresets(const TradeCommand& command, const Stage& stage, const TradeSetup& setup, const TradeResults& results)
+void writePresets(const TradeCommand& command, const SceneSetup& sceneSetup, const TradeSetup& setup,
+                  const TradeResults& results)
 {
     for (const PresetPick& pick : pickPresets(setup, results)) {
         const PointResult& result = results.points[pick.point];
         const std::vector<std::string> comment{fmt::format("Preset {}: {}.", pick.name, measuredText(result.mean)),
                                                fmt::format("Measured by tarn trade {}: {}, {}, mean of {}.",
-                                                           versionText(), titleOf(stage.scene), setup.about.at("size"),
-                                                           fmt::join(setup.views, ", ")),
+                                                           versionText(), titleOf(sceneSetup.scene),
+                                                           setup.about.at("size"), fmt::join(setup.views, ", ")),
                                                fmt::format("On {}.", joined(results.machines))};
         const std::filesystem::path file = command.writePresets / (pick.name + ".toml");
         writeFile(file, presetText(setup, result.point, comment));
@@ -122,10 +123,11 @@ void writePresets(const TradeCommand& command, const Stage& stage, const TradeSe
     }
 }
 
-void writeLadder(const TradeCommand& command, const Stage& stage, const TradeSetup& setup, const TradeResults& results)
+void writeLadder(const TradeCommand& command, const SceneSetup& sceneSetup, const TradeSetup& setup,
+                 const TradeResults& results)
 {
-    Ladder ladder = pickLadder(setup, results, walkError(setup, results.points));
-    ladder.scene = titleOf(stage.scene);
+    Ladder ladder = pickLadder(setup, results, greedySweepError(setup, results.points));
+    ladder.scene = titleOf(sceneSetup.scene);
     ladder.size = setup.about.at("size");
     ladder.machine = joined(results.machines);
     const std::vector<std::string> comment{
@@ -138,27 +140,27 @@ void writeLadder(const TradeCommand& command, const Stage& stage, const TradeSet
     fmt::print("{}\n", command.writeLadder.string());
 }
 
-TradeResults measure(const TradeCommand& command, const Stage& stage, const std::vector<Camera>& views,
+TradeResults measure(const TradeCommand& command, const SceneSetup& sceneSetup, const std::vector<Camera>& views,
                      const TradeSetup& setup, TradeStore& store)
 {
-    const auto lab = [&] {
+    const auto experiment = [&] {
         TerminalProgress progress;
         std::vector<double> times;
         for (std::size_t view = 0; view < views.size(); ++view)
             times.push_back(setup.times[setup.timesOf(view).front()]);
-        return makeTradeLab(stage,
-                            {.views = views,
-                             .size = command.size,
-                             .times = times,
-                             .frames = command.frames,
-                             .samples = command.samples,
-                             .references = command.out / "references"},
-                            &progress);
+        return makeTradeExperiment(sceneSetup,
+                                   {.views = views,
+                                    .size = command.size,
+                                    .times = times,
+                                    .frames = command.frames,
+                                    .samples = command.samples,
+                                    .references = command.out / "references"},
+                                   &progress);
     }();
     TerminalProgress progress; // starts counting here
     const StopOnInterrupt guard;
     const RunArguments arguments{command.shard, command.shards, [] { return interrupted != 0; }, &progress};
-    return runTrade(setup, store, *lab, arguments).results;
+    return runTrade(setup, store, *experiment, arguments).results;
 }
 
 } // namespace
@@ -170,23 +172,23 @@ void run(const TradeCommand& command)
         makeFolder(command.writePresets);
         requireWritableFolder(command.writePresets);
     }
-    const Stage stage = [&] {
+    const SceneSetup sceneSetup = [&] {
         TerminalProgress progress;
-        return loadStage(command.scene, &progress);
+        return loadSceneSetup(command.scene, &progress);
     }();
-    requireOneEye(stage.settings, "errors are measured in one eye's picture");
+    requireOneEye(sceneSetup.settings, "errors are measured in one eye's picture");
     for (const std::string& sweep : command.sweeps)
         if (sweep.starts_with("stereo."))
             throw UsageError(
                 "--sweep {}: errors are measured in one eye's picture; tarn bench --vary tells what two cost", sweep);
     const std::size_t most = command.writeLadder.empty() ? mostViews : mostLadderViews;
-    const std::vector<Camera> views = chooseViews(stage.scene, command.views, most, "--views");
-    const TradeSetup setup = setupOf(command, stage, views);
+    const std::vector<Camera> views = chooseViews(sceneSetup.scene, command.views, most, "--views");
+    const TradeSetup setup = setupOf(command, sceneSetup, views);
     TradeStore store(command.out, keyOf(setup), command.fresh);
 
     TradeResults results;
     if (command.merge.empty()) {
-        results = measure(command, stage, views, setup, store);
+        results = measure(command, sceneSetup, views, setup, store);
     } else {
         store.merge(command.merge);
         results = collectResults(setup, store);
@@ -197,9 +199,9 @@ void run(const TradeCommand& command)
                    "makes the rest\n",
                    results.done, results.total);
     if (command.shards > 1 && !results.complete()) return;
-    writeResults(command, stage, setup, store, results);
-    if (!command.writePresets.empty()) writePresets(command, stage, setup, results);
-    if (!command.writeLadder.empty() && results.complete()) writeLadder(command, stage, setup, results);
+    writeResults(command, sceneSetup, setup, store, results);
+    if (!command.writePresets.empty()) writePresets(command, sceneSetup, setup, results);
+    if (!command.writeLadder.empty() && results.complete()) writeLadder(command, sceneSetup, setup, results);
 }
 
 } // namespace tarn

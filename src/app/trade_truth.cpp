@@ -18,10 +18,10 @@ namespace {
 /// Of the sun's light under a caustics texture; a pattern of 256² texels then has some sixty in each.
 constexpr int mapPhotons = 4'000'000;
 
-WaterBody waterOf(const Stage& stage)
+WaterBody waterOf(const SceneSetup& sceneSetup)
 {
-    WaterBody water = stage.settings.water;
-    water.present = water.present && stage.settings.options.water.enabled;
+    WaterBody water = sceneSetup.settings.water;
+    water.present = water.present && sceneSetup.settings.options.water.enabled;
     return water;
 }
 
@@ -41,9 +41,9 @@ bool holds(const vec4& outer, const LevelRect& inner)
 
 } // namespace
 
-TradeTruth::TradeTruth(const Stage& stage, const TruthArguments& arguments)
-    : stage_(stage), arguments_(arguments), water_(waterOf(stage)),
-      tracer_(stage.scene, water_, stage.settings.options.water.sunRoughness)
+TradeTruth::TradeTruth(const SceneSetup& sceneSetup, const TruthArguments& arguments)
+    : sceneSetup_(sceneSetup), arguments_(arguments), water_(waterOf(sceneSetup)),
+      tracer_(sceneSetup.scene, water_, sceneSetup.settings.options.water.sunSlopeDeviation)
 {
     options_.samples = arguments.samples;
 }
@@ -72,12 +72,12 @@ const reference::Picture& TradeTruth::picture(const Camera& camera, double time)
     if (!picture) {
         picture = tracer_.render(view, options_);
         if (!file.empty()) {
-            picture->metadata.merge(pictureHeader(stage_, camera, time));
+            picture->metadata.merge(pictureHeader(sceneSetup_, camera, time));
             makeFolder(arguments_.folder);
             reference::writePicture(file, *picture);
         }
     }
-    kept_ = Kept{camera, time, std::move(*picture), std::nullopt, {}};
+    kept_ = FrameCache{camera, time, std::move(*picture), std::nullopt, {}};
     return kept_->picture;
 }
 

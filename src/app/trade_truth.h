@@ -1,7 +1,7 @@
 // The reference of each view and time that `tarn trade` judges frames by.
 #pragma once
 
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "measure/error_figures.h"
 #include "measure/water_errors.h"
 #include "reference/reference.h"
@@ -21,8 +21,8 @@ struct TruthArguments {
 /// Traces a view when it is first asked for. Keeps one of them at a time: callers go view by view.
 class TradeTruth {
 public:
-    /// Keeps a reference to the stage.
-    TradeTruth(const Stage& stage, const TruthArguments& arguments);
+    /// Keeps a reference to the set-up.
+    TradeTruth(const SceneSetup& sceneSetup, const TruthArguments& arguments);
 
     /// The figures of a frame against the truth. The frame must be without glow, which is an effect of the lens.
     ErrorFigures judge(const WaterQuantities& used, const Camera& camera, double time, const FrameOptions& options);
@@ -38,19 +38,19 @@ private:
     /// Light on the bed under the caustics texture of a frame of this view, or of one that is about as large.
     const TrueIrradiance& lightFor(const CausticsMap& map, double time);
 
-    const Stage& stage_;
+    const SceneSetup& sceneSetup_;
     TruthArguments arguments_;
     WaterBody water_;
     reference::Tracer tracer_;
     reference::ReferenceOptions options_;
-    struct Kept {
+    struct FrameCache {
         Camera camera;
         double time = 0.0;
         reference::Picture picture;
         std::optional<vec4> rect; ///< that `light` knows
         TrueIrradiance light;
     };
-    std::optional<Kept> kept_;
+    std::optional<FrameCache> kept_;
 };
 
 } // namespace tarn

@@ -1,7 +1,7 @@
 // tarn tune: the settings for this machine that keep a limit of error, or of time.
 #include "app/commands.h"
 #include "app/output.h"
-#include "app/trade_lab.h"
+#include "app/trade_experiment.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -35,14 +35,14 @@ void requireReached(const TuneGoal& goal, const TuneOutcome& outcome)
                 foundText(outcome.best), changes.empty() ? " the base" : changes);
 }
 
-std::string fileText(const TuneCommand& command, const Stage& stage, const TradeSetup& setup,
+std::string fileText(const TuneCommand& command, const SceneSetup& sceneSetup, const TradeSetup& setup,
                      const TuneOutcome& outcome, const std::string& machine)
 {
     return presetText(setup, outcome.best.point,
                       {fmt::format("{}.", foundText(outcome.best)),
                        fmt::format("Found by tarn tune {}: {}, the best of {} settings.", versionText(),
                                    goalText({command.maxError, command.budgetMs}), outcome.tried),
-                       fmt::format("{} at {}x{}, {}.", stage.scene.file.filename().string(), command.size.x,
+                       fmt::format("{} at {}x{}, {}.", sceneSetup.scene.file.filename().string(), command.size.x,
                                    command.size.y, fmt::join(setup.views, ", ")),
                        fmt::format("On {}.", machine)});
 }
@@ -53,11 +53,11 @@ void run(const TuneCommand& command)
 {
     if (!command.out.empty()) requireWritableFolder(command.out.parent_path());
     TerminalProgress progress;
-    const Stage stage = loadStage(command.scene, &progress);
-    requireOneEye(stage.settings, "errors are measured in one eye's picture");
-    const std::vector<Camera> views = chooseViews(stage.scene, command.cameras, mostViews, "--camera");
+    const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
+    requireOneEye(sceneSetup.settings, "errors are measured in one eye's picture");
+    const std::vector<Camera> views = chooseViews(sceneSetup.scene, command.cameras, mostViews, "--camera");
     TradeSetup setup;
-    setup.describe = describerOf(stage.settings);
+    setup.describe = describerOf(sceneSetup.settings);
     setup.plan = planTrade({{}, false, loadPresets()}, setup.describe);
     for (const Camera& camera : views) setup.views.push_back(camera.name);
 
@@ -67,17 +67,17 @@ void run(const TuneCommand& command)
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
         if (swept.sweep.with.empty()) request.sweeps.push_back(swept.sweep); // the search changes one option at a time
 
-    const auto lab = makeTradeLab(stage,
-                                  {.views = views,
-                                   .size = command.size,
-                                   .times = std::vector<double>(views.size(), command.time),
-                                   .frames = command.frames,
-                                   .samples = command.samples,
-                                   .references = {}},
-                                  &progress);
-    const TuneOutcome outcome = tune(request, *lab, &progress);
+    const auto experiment = makeTradeExperiment(sceneSetup,
+                                                {.views = views,
+                                                 .size = command.size,
+                                                 .times = std::vector<double>(views.size(), command.time),
+                                                 .frames = command.frames,
+                                                 .samples = command.samples,
+                                                 .references = {}},
+                                                &progress);
+    const TuneOutcome outcome = tune(request, *experiment, &progress);
     requireReached(request.goal, outcome);
-    const std::string text = fileText(command, stage, setup, outcome, lab->machine());
+    const std::string text = fileText(command, sceneSetup, setup, outcome, experiment->machine());
     if (command.out.empty()) {
         fmt::print("{}", text);
     } else {

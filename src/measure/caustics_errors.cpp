@@ -17,9 +17,12 @@ float fromEdge(const LevelRect& rect, const vec2& plane)
     return std::min(inside.x, inside.y);
 }
 
-float texelEdge(const CausticsMap& map) { return 2.0f * map.region.rect.halfExtent.x / static_cast<float>(map.edge); }
+float texelEdge(const CausticsMap& map)
+{
+    return 2.0f * map.region.rect.halfExtent.x / static_cast<float>(map.resolution);
+}
 
-/// Whether scene.frag takes all of a place's light from the texture: its `gathered` is 1.
+/// Whether scene.frag takes all of a place's light from the texture: its `fromTexture` is 1.
 bool relies(const CausticsMap& map, const vec2& plane)
 {
     const float inside = std::min(fromEdge(map.region.rect, plane), fromEdge(map.water, plane));
@@ -28,9 +31,9 @@ bool relies(const CausticsMap& map, const vec2& plane)
 
 const vec3& texel(const CausticsMap& map, int x, int y)
 {
-    const int last = map.edge - 1;
+    const int last = map.resolution - 1;
     const auto row = static_cast<std::size_t>(std::clamp(y, 0, last));
-    return map.light[row * static_cast<std::size_t>(map.edge) + static_cast<std::size_t>(std::clamp(x, 0, last))];
+    return map.light[row * static_cast<std::size_t>(map.resolution) + static_cast<std::size_t>(std::clamp(x, 0, last))];
 }
 
 /// Mean of the true irradiance over a texel, whose lower corner this is.
@@ -54,9 +57,9 @@ double total(const dvec3& v) { return v.x + v.y + v.z; }
 
 std::optional<vec3> causticsAt(const CausticsMap& map, const vec2& plane)
 {
-    if (map.edge < 1 || !relies(map, plane)) return std::nullopt;
-    const vec2 place = (plane - (map.region.rect.centre - map.region.rect.halfExtent)) / texelEdge(map) - 0.5f;
-    const vec2 lower = glm::floor(place), f = place - lower;
+    if (map.resolution < 1 || !relies(map, plane)) return std::nullopt;
+    const vec2 position = (plane - (map.region.rect.centre - map.region.rect.halfExtent)) / texelEdge(map) - 0.5f;
+    const vec2 lower = glm::floor(position), f = position - lower;
     const ivec2 at(lower);
     return glm::mix(glm::mix(texel(map, at.x, at.y), texel(map, at.x + 1, at.y), f.x),
                     glm::mix(texel(map, at.x, at.y + 1), texel(map, at.x + 1, at.y + 1), f.x), f.y);
@@ -69,8 +72,8 @@ void addCausticsFigures(ErrorFigures& figures, const CausticsMap& used, const Tr
     const vec2 corner = used.region.rect.centre - used.region.rect.halfExtent;
     double squares = 0.0, flux = 0.0, trueFlux = 0.0;
     std::size_t values = 0;
-    for (int y = 0; y < used.edge; ++y) {
-        for (int x = 0; x < used.edge; ++x) {
+    for (int y = 0; y < used.resolution; ++y) {
+        for (int x = 0; x < used.resolution; ++x) {
             const vec2 lower = corner + vec2(x, y) * edge;
             if (!relies(used, lower + 0.5f * edge)) continue;
             const std::optional<dvec3> expected = meanOver(lower, edge, truth, samples);

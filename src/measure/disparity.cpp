@@ -32,9 +32,9 @@ public:
         const float aspect = static_cast<float>(size_.x) / static_cast<float>(size_.y);
         clipFromWorld_ = glm::dmat4(clipFromView(eye.camera, aspect)) * glm::dmat4(viewFromWorld(eye.camera));
     }
-    dvec2 at(const dvec3& place) const
+    dvec2 at(const dvec3& position) const
     {
-        const dvec4 clip = clipFromWorld_ * dvec4(place, 1.0);
+        const dvec4 clip = clipFromWorld_ * dvec4(position, 1.0);
         const dvec2 ndc = dvec2(clip) / std::max(clip.w, 1e-9);
         return {0.5 * (ndc.x + 1.0) * size_.x - 0.5, 0.5 * (1.0 - ndc.y) * size_.y - 0.5};
     }
@@ -98,10 +98,10 @@ public:
                 if (!mayHold(cell, point)) return;
                 for (int half = 0; half < 2; ++half) {
                     const std::optional<Patch> patch = patchOf(cell, half);
-                    const std::optional<dvec2> place = patch ? placeWithin(*patch, point) : std::nullopt;
-                    if (!place || glm::distance(*place, expected) > nearest) continue;
-                    best = place;
-                    nearest = glm::distance(*place, expected);
+                    const std::optional<dvec2> position = patch ? placeWithin(*patch, point) : std::nullopt;
+                    if (!position || glm::distance(*position, expected) > nearest) continue;
+                    best = position;
+                    nearest = glm::distance(*position, expected);
                 }
             });
         return best;

@@ -15,8 +15,8 @@ struct ErrorFigures {
     double refractionWrong5cm = none;   ///< share of pixels over 5 cm
     double refractionWrongTexel = none; ///< share over one texel's footprint of the refraction target at the true hit
     double refractionInvalid = none;    ///< share without a valid sample
-    double refractionHidden = none;     ///< share whose true hit the map of heights does not hold: something is over it
-    double refractionSteppedOver =
+    double refractionOccluded = none;   ///< share whose true hit the map of heights does not hold: something is over it
+    double refractionMissed =
         none; ///< share whose ray was marched past, or did not find, what the map holds in its way
     // Reflection hit error: between the used and the true direction from U to the hit.
     double reflectionMedian = none, reflectionP95 = none, reflectionP99 = none, reflectionMax = none; ///< degrees

@@ -25,11 +25,11 @@ constexpr std::array stops{Stop{290.0f, 0.0f},  Stop{302.0f, 36.0f}, Stop{314.0f
 
 Stop stopAt(float x)
 {
-    const float place = x * static_cast<float>(stops.size() - 1);
-    const std::size_t below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
-    const float share = place - static_cast<float>(below);
-    return {glm::mix(stops[below].hue, stops[below + 1].hue, share),
-            glm::mix(stops[below].chroma, stops[below + 1].chroma, share)};
+    const float position = x * static_cast<float>(stops.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(position), stops.size() - 2);
+    const float fraction = position - static_cast<float>(below);
+    return {glm::mix(stops[below].hue, stops[below + 1].hue, fraction),
+            glm::mix(stops[below].chroma, stops[below + 1].chroma, fraction)};
 }
 
 constexpr vec3 nothingMeasured(0.5f);
@@ -39,10 +39,10 @@ constexpr vec3 nothingMeasured(0.5f);
 vec3 heatColour(double x)
 {
     if (std::isnan(x)) return nothingMeasured;
-    const float place = static_cast<float>(std::clamp(x, 0.0, 1.0));
-    const Stop stop = stopAt(place);
+    const float position = static_cast<float>(std::clamp(x, 0.0, 1.0));
+    const Stop stop = stopAt(position);
     const float hue = glm::radians(stop.hue);
-    const vec3 lab(98.0f * place, stop.chroma * std::cos(hue), stop.chroma * std::sin(hue));
+    const vec3 lab(98.0f * position, stop.chroma * std::cos(hue), stop.chroma * std::sin(hue));
     return optics::srgbColour(rgbFromRelative() * relativeFromLab(lab));
 }
 

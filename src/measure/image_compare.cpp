@@ -28,17 +28,17 @@ std::string mismatchOf(const Image& expected, const Image& actual)
 }
 
 /// Pixels that a share allows, rounded down: none in a small picture.
-std::size_t allowed(double share, std::size_t pixels)
+std::size_t allowed(double fraction, std::size_t pixels)
 {
-    return static_cast<std::size_t>(share * static_cast<double>(pixels));
+    return static_cast<std::size_t>(fraction * static_cast<double>(pixels));
 }
 
 } // namespace
 
 bool PictureComparison::same() const
 {
-    return mismatch.empty() && overChannel <= allowed(tolerance.share, pixels) &&
-           overHardLimit <= allowed(tolerance.hardShare, pixels) && std::abs(mean) <= tolerance.mean;
+    return mismatch.empty() && overChannel <= allowed(tolerance.fraction, pixels) &&
+           overHardLimit <= allowed(tolerance.hardLimitFraction, pixels) && std::abs(mean) <= tolerance.mean;
 }
 
 std::string PictureComparison::summary() const
@@ -48,8 +48,8 @@ std::string PictureComparison::summary() const
     return fmt::format(
         "{} of {} pixels differ by more than {}/255 ({} may), {} by more than {}/255 ({} may); "
         "the largest difference is {}/255, at pixel {},{}; the mean one of a channel {:+.3f}/255 ({} may be)",
-        overChannel, pixels, tolerance.channel, allowed(tolerance.share, pixels), overHardLimit, tolerance.hardLimit,
-        allowed(tolerance.hardShare, pixels), largest, largestAt.x, largestAt.y, mean, tolerance.mean);
+        overChannel, pixels, tolerance.channel, allowed(tolerance.fraction, pixels), overHardLimit, tolerance.hardLimit,
+        allowed(tolerance.hardLimitFraction, pixels), largest, largestAt.x, largestAt.y, mean, tolerance.mean);
 }
 
 PictureComparison comparePictures(const Image& expected, const Image& actual, const PictureTolerance& tolerance)

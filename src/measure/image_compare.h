@@ -16,13 +16,13 @@ struct PictureTolerance {
     /// Largest difference of a channel, of 255, that rounding makes.
     int channel = 5;
     /// Share of the pixels that may differ by more: a sample on a silhouette falls to the other side.
-    double share = 0.001;
+    double fraction = 0.001;
     /// A difference that only such a silhouette makes where one multisample of four has flipped between light
     /// and dark (a quarter of 160).
     int hardLimit = 40;
     /// Share of the pixels that may pass even that: 7 of 320x240. Silhouettes in views without multisampling
     /// flip whole pixels, one here and there; a patch as small as 3x3 pixels that is wrong is not forgiven.
-    double hardShare = 0.0001;
+    double hardLimitFraction = 0.0001;
     /// Signed mean difference of a channel over the picture, of 255: rounding goes both ways, a light that is wrong by
     /// a few per cent does not, and under the tone curve it stays within `channel`.
     double mean = 0.25;

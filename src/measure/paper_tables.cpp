@@ -13,11 +13,11 @@ namespace tarn {
 
 namespace {
 
-PaperRow textureRow(int edge)
+PaperRow textureRow(int resolution)
 {
-    return {fmt::format("{0}x{0}", edge),
-            {fmt::format("refraction.target_size={}", edge), fmt::format("reflection.target_size={}", edge),
-             fmt::format("caustics.texture_size={}", edge)}};
+    return {fmt::format("{0}x{0}", resolution),
+            {fmt::format("refraction.target_size={}", resolution), fmt::format("reflection.target_size={}", resolution),
+             fmt::format("caustics.texture_size={}", resolution)}};
 }
 
 std::vector<PaperTable> makeTables()
@@ -73,10 +73,10 @@ std::vector<std::string> passNames(const BenchReport& report)
 {
     std::vector<std::string> names;
     for (const BenchResult& result : report.results) {
-        auto place = names.begin();
+        auto position = names.begin();
         for (const auto& [name, series] : result.passes) {
             const auto known = std::find(names.begin(), names.end(), name);
-            place = (known != names.end() ? known : names.insert(place, name)) + 1;
+            position = (known != names.end() ? known : names.insert(position, name)) + 1;
         }
     }
     return names;

@@ -29,7 +29,7 @@ bool showWater(const WaterQuantities& used, const reference::Picture& truth, std
 double refractionError(const WaterQuantities& used, const reference::Picture& truth, std::size_t pixel)
 {
     const dvec3 hit(truth.refractionHit[pixel]);
-    return std::max(glm::distance(dvec3(used.place[pixel]), hit), glm::distance(dvec3(used.picture[pixel]), hit));
+    return std::max(glm::distance(dvec3(used.position[pixel]), hit), glm::distance(dvec3(used.picture[pixel]), hit));
 }
 
 /// Degrees. atan2 keeps its digits at small angles, where acos has lost them.
@@ -53,7 +53,7 @@ std::optional<double> causticsError(const WaterQuantities& used, const reference
         truth.has(pixel, Event::fromBelow))
         return std::nullopt;
     const CausticsMap& map = *used.caustics;
-    const vec2 plane = optics::sunPlane(truth.refractionHit[pixel], map.level, optics::sunSlant(map.toSun));
+    const vec2 plane = optics::sunPlane(truth.refractionHit[pixel], map.level, optics::sunShear(map.toSun));
     const std::optional<vec3> light = causticsAt(map, plane);
     if (!light) return std::nullopt;
     const vec3 difference = glm::abs(*light - truth.caustics[pixel]);
@@ -82,7 +82,7 @@ double mean(const std::vector<double>& values)
 /// what the map holds, or did not find it. The ray is that of the frame: from U to W.
 bool stepsOver(const WaterQuantities& used, std::size_t pixel)
 {
-    const dvec3 from(used.surface[pixel]), way = dvec3(used.place[pixel]) - from;
+    const dvec3 from(used.surface[pixel]), way = dvec3(used.position[pixel]) - from;
     const double marched = glm::length(way);
     if (marched < 1.0e-4) return false; // under the ground from the start
     // The ray is lifted by what single precision may lose of a height, so that one which only grazes an edge counts as
@@ -96,18 +96,18 @@ bool stepsOver(const WaterQuantities& used, std::size_t pixel)
 void addMarched(ErrorFigures& figures, const WaterQuantities& used, const reference::Picture& truth)
 {
     if (!used.heights) return;
-    std::size_t marched = 0, hidden = 0, steppedOver = 0;
+    std::size_t marched = 0, hidden = 0, missed = 0;
     for (std::size_t pixel = 0; pixel < used.pixels(); ++pixel) {
         if (!showWater(used, truth, pixel) || !truth.has(pixel, Event::refractionHit) ||
             truth.has(pixel, Event::fromBelow))
             continue;
         ++marched;
         hidden += !used.heights->holds(truth.refractionHit[pixel], 0.05f);
-        steppedOver += stepsOver(used, pixel);
+        missed += stepsOver(used, pixel);
     }
     if (marched == 0) return;
-    figures.refractionHidden = static_cast<double>(hidden) / static_cast<double>(marched);
-    figures.refractionSteppedOver = static_cast<double>(steppedOver) / static_cast<double>(marched);
+    figures.refractionOccluded = static_cast<double>(hidden) / static_cast<double>(marched);
+    figures.refractionMissed = static_cast<double>(missed) / static_cast<double>(marched);
 }
 
 void addRefraction(ErrorFigures& figures, const WaterQuantities& used, const reference::Picture& truth)
@@ -123,10 +123,12 @@ void addRefraction(ErrorFigures& figures, const WaterQuantities& used, const ref
         return valid;
     });
     if (refracted == 0) return;
-    const auto share = [&](std::size_t count) { return static_cast<double>(count) / static_cast<double>(refracted); };
-    figures.refractionInvalid = share(invalid);
-    figures.refractionWrong5cm = share(over5cm);
-    figures.refractionWrongTexel = share(overTexel);
+    const auto fraction = [&](std::size_t count) {
+        return static_cast<double>(count) / static_cast<double>(refracted);
+    };
+    figures.refractionInvalid = fraction(invalid);
+    figures.refractionWrong5cm = fraction(over5cm);
+    figures.refractionWrongTexel = fraction(overTexel);
     if (errors.empty()) return;
     figures.refractionMedian = percentile(errors, 0.5);
     figures.refractionP95 = percentile(errors, 0.95);

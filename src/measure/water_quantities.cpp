@@ -43,7 +43,7 @@ WaterQuantities::WaterQuantities(ivec2 pictureSize) : size(pictureSize)
 {
     const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     for (auto* flags : {&isWater, &hasSample, &mirrorsSky}) flags->assign(count, 0);
-    for (auto* vectors : {&surface, &place, &picture, &mirrored}) vectors->assign(count, vec3(0.0f));
+    for (auto* vectors : {&surface, &position, &picture, &mirrored}) vectors->assign(count, vec3(0.0f));
     for (auto* scalars : {&fresnel, &waterPath}) scalars->assign(count, 0.0f);
 }
 
@@ -64,7 +64,7 @@ WaterQuantities readQuantities(Renderer& renderer, const Camera& camera, double 
         q.surface[pixel] = vec3(value);
     });
     readView(renderer, frame, DebugView::positionW,
-             [&](std::size_t pixel, const vec4& value) { q.place[pixel] = vec3(value); });
+             [&](std::size_t pixel, const vec4& value) { q.position[pixel] = vec3(value); });
     readView(renderer, frame, DebugView::positionA, [&](std::size_t pixel, const vec4& value) {
         q.picture[pixel] = vec3(value);
         q.hasSample[pixel] = value.w > 0.75f;

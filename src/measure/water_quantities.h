@@ -29,7 +29,7 @@ struct WaterQuantities {
     vec3 eye{0.0f};
     std::vector<std::uint8_t> isWater;    ///< 0 or 1
     std::vector<vec3> surface;            ///< U
-    std::vector<vec3> place;              ///< W: where the lookup takes the refracted ray's hit to be
+    std::vector<vec3> position;           ///< W: where the lookup takes the refracted ray's hit to be
     std::vector<vec3> picture;            ///< A: the point whose colour it takes for W's
     std::vector<std::uint8_t> hasSample;  ///< 1 where the target holds something at W's pixel
     std::vector<vec3> mirrored;           ///< the point that the reflection shows, or the direction of its sky

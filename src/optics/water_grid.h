@@ -1,7 +1,7 @@
 // Where the vertices of the drawn water stand, for a view: the parameters of shaders/shared/water_grid.glsl.
 //
 //     const optics64::WaterGrid grid = optics64::focusedGrid(rect, level, amplitude, 97, eye, clipFromWorld);
-//     const double x = optics64::gridPlace(grid[0], 12);
+//     const double x = optics64::gridPosition(grid[0], 12);
 //
 // rect: centre x, z and half extent x, z of the water. Metres.
 #pragma once

@@ -17,9 +17,9 @@ struct Crossing {
 /// The crossings of vertical lines with the scene, over a lattice of places.
 class Lattice {
 public:
-    Lattice(vec2 lower, vec2 upper, int edge)
-        : lower_(lower), cell_((upper - lower) / static_cast<float>(edge)), edge_(edge),
-          lines_(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge))
+    Lattice(vec2 lower, vec2 upper, int resolution)
+        : lower_(lower), cell_((upper - lower) / static_cast<float>(resolution)), resolution_(resolution),
+          lines_(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution))
     {}
 
     void add(const vec3& a, const vec3& b, const vec3& c, bool isSheet)
@@ -30,8 +30,8 @@ public:
         const Crossing::Kind kind = isSheet       ? Crossing::Kind::sheet
                                     : area < 0.0f ? Crossing::Kind::entersSolid
                                                   : Crossing::Kind::leavesSolid;
-        forLines(a, b, c, [&](vec2 place, std::vector<Crossing>& line) {
-            const vec2 ap = place - vec2(a.x, a.z);
+        forLines(a, b, c, [&](vec2 position, std::vector<Crossing>& line) {
+            const vec2 ap = position - vec2(a.x, a.z);
             const float u = (ap.x * ac.y - ap.y * ac.x) / area, v = (ab.x * ap.y - ab.y * ap.x) / area;
             if (u < 0.0f || v < 0.0f || u + v >= 1.0f) return;
             line.push_back({a.y + u * (b.y - a.y) + v * (c.y - a.y), kind});
@@ -53,23 +53,23 @@ private:
     {
         const ivec2 first = cellOf({std::min({a.x, b.x, c.x}), std::min({a.z, b.z, c.z})});
         const ivec2 last = cellOf({std::max({a.x, b.x, c.x}), std::max({a.z, b.z, c.z})});
-        for (int j = std::max(first.y, 0); j <= std::min(last.y, edge_ - 1); ++j)
-            for (int i = std::max(first.x, 0); i <= std::min(last.x, edge_ - 1); ++i)
+        for (int j = std::max(first.y, 0); j <= std::min(last.y, resolution_ - 1); ++j)
+            for (int i = std::max(first.x, 0); i <= std::min(last.x, resolution_ - 1); ++i)
                 visit(lower_ + (vec2(static_cast<float>(i), static_cast<float>(j)) + 0.5f) * cell_,
-                      lines_[static_cast<std::size_t>(j) * static_cast<std::size_t>(edge_) +
+                      lines_[static_cast<std::size_t>(j) * static_cast<std::size_t>(resolution_) +
                              static_cast<std::size_t>(i)]);
     }
 
-    ivec2 cellOf(vec2 place) const { return ivec2(glm::floor((place - lower_) / cell_)); }
+    ivec2 cellOf(vec2 position) const { return ivec2(glm::floor((position - lower_) / cell_)); }
 
     vec2 lower_, cell_;
-    int edge_;
+    int resolution_;
     std::vector<std::vector<Crossing>> lines_;
 };
 
-Lattice latticeOf(const Scene& scene, vec2 lower, vec2 upper, int edge)
+Lattice latticeOf(const Scene& scene, vec2 lower, vec2 upper, int resolution)
 {
-    Lattice lattice(lower, upper, edge);
+    Lattice lattice(lower, upper, resolution);
     for (const Instance& instance : flatten(scene)) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const auto corner = [&](std::uint32_t index) {
@@ -115,11 +115,11 @@ Layers layersOf(std::vector<Crossing>& line, float level)
 
 } // namespace
 
-DepthComplexity depthComplexity(const Scene& scene, const WaterBody& water, int edge)
+DepthComplexity depthComplexity(const Scene& scene, const WaterBody& water, int resolution)
 {
     const vec2 half = 0.5f * water.extent;
     std::size_t beds = 0, hiddenBeds = 0, standing = 0, stacked = 0;
-    Lattice overWater = latticeOf(scene, water.centre - half, water.centre + half, edge);
+    Lattice overWater = latticeOf(scene, water.centre - half, water.centre + half, resolution);
     for (std::vector<Crossing>& line : overWater.lines()) {
         const Layers layers = layersOf(line, water.level);
         beds += layers.under > 0;
@@ -128,16 +128,16 @@ DepthComplexity depthComplexity(const Scene& scene, const WaterBody& water, int 
     const Bounds bounds = worldBounds(scene);
     if (bounds.empty()) return {};
     Lattice overAll =
-        latticeOf(scene, vec2(bounds.lower.x, bounds.lower.z), vec2(bounds.upper.x, bounds.upper.z), edge);
+        latticeOf(scene, vec2(bounds.lower.x, bounds.lower.z), vec2(bounds.upper.x, bounds.upper.z), resolution);
     for (std::vector<Crossing>& line : overAll.lines()) {
         const Layers layers = layersOf(line, water.level);
         standing += layers.over > 0;
         stacked += layers.over > 1;
     }
-    const auto share = [](std::size_t part, std::size_t whole) {
+    const auto fraction = [](std::size_t part, std::size_t whole) {
         return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
     };
-    return {share(hiddenBeds, beds), share(stacked, standing)};
+    return {fraction(hiddenBeds, beds), fraction(stacked, standing)};
 }
 
 } // namespace tarn

@@ -10,13 +10,13 @@ struct DepthComplexity {
     /// Of the places with a bed under water: the share that has another layer, under what is seen from above.
     double bed = 0.0;
     /// Of the places where something stands over the water: the share that has more than one piece, one over the other.
-    double afloat = 0.0;
+    double aboveWater = 0.0;
 };
 
 /// A layer is a surface that faces water or air: what is sunk in the ground does not count, nor the two sides of one
 /// solid. A two-sided sheet is one, and so is a crown of cut-outs, at all places that its cards' boxes cover. Other
 /// triangles that stand upright cover no place.
-/// @param edge places along one edge of the lattice
-DepthComplexity depthComplexity(const Scene& scene, const WaterBody& water, int edge = 256);
+/// @param resolution places along one edge of the lattice
+DepthComplexity depthComplexity(const Scene& scene, const WaterBody& water, int resolution = 256);
 
 } // namespace tarn

@@ -213,21 +213,22 @@ void planHeights(FramePlan& plan, const Options& options, const SceneMaps& maps)
         return;
     }
     const HeightMapPicture* const bed = plan.raycastsBed && maps.bed.picture ? &*maps.bed.picture : nullptr;
-    const HeightMapPicture* const afloat = plan.raycastsMirror && maps.afloat.picture ? &*maps.afloat.picture : nullptr;
-    const bool drawsBed = plan.raycastsBed && !bed, drawsAfloat = plan.raycastsMirror && !afloat;
+    const HeightMapPicture* const aboveWater =
+        plan.raycastsMirror && maps.aboveWater.picture ? &*maps.aboveWater.picture : nullptr;
+    const bool drawsBed = plan.raycastsBed && !bed, drawsAboveWater = plan.raycastsMirror && !aboveWater;
     std::string reason = plan.raycastsBed && plan.raycastsMirror
                              ? "rays are marched through the bed and what stands over the water"
                          : plan.raycastsBed ? "refracted rays are marched through the bed"
                                             : "mirrored rays are marched through what stands over the water";
-    int edge = drawsBed || drawsAfloat ? options.heights.mapSize : 0;
-    for (const HeightMapPicture* given : {bed, afloat})
+    int resolution = drawsBed || drawsAboveWater ? options.heights.mapSize : 0;
+    for (const HeightMapPicture* given : {bed, aboveWater})
         if (given) {
             reason += fmt::format("; {} gives the map '{}'", given->file.filename().string(), mapName(given->kind));
-            edge = std::max(edge, given->edge);
+            resolution = std::max(resolution, given->resolution);
         }
-    if (drawsBed || drawsAfloat) reason += "; drawn when scene, sun or water changed";
-    plan[PassId::heights] =
-        wanted(std::move(reason), ivec2(edge), drawsAfloat && plan[PassId::sunlight].wanted ? "sunlight" : "");
+    if (drawsBed || drawsAboveWater) reason += "; drawn when scene, sun or water changed";
+    plan[PassId::heights] = wanted(std::move(reason), ivec2(resolution),
+                                   drawsAboveWater && plan[PassId::sunlight].wanted ? "sunlight" : "");
 }
 
 /// Which maps of heights are marched through, and with them the target of either kind: seen from above a map takes its
@@ -287,7 +288,7 @@ ivec2 scaledSize(ivec2 picture, const FrameOptions& options)
 }
 
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-                    ivec2 size, double time, const DepthComplexity* complexity, const Sight* sight)
+                    ivec2 size, double time, const DepthComplexity* complexity, const VisibilityFacts* visibility)
 {
     FramePlan plan;
     plan[PassId::scene] = wanted("what the eye sees, without the water", scaledSize(size, options.frame), "");
@@ -315,7 +316,7 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     if (!noWater.empty()) {
         for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection, PassId::water, PassId::glow})
             plan[pass] = unwanted(noWater);
-        reducePlan(plan, scene, water, camera, options, size, sight);
+        reducePlan(plan, scene, water, camera, options, size, visibility);
         return plan;
     }
 
@@ -329,7 +330,7 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     const std::string noGlow = whyNoGlow(scene, plan, options);
     plan[PassId::glow] =
         noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options), "water") : unwanted(noGlow);
-    reducePlan(plan, scene, water, camera, options, size, sight);
+    reducePlan(plan, scene, water, camera, options, size, visibility);
     for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection})
         if (plan[PassId::water].wanted && plan[pass].wanted)
             plan[PassId::water].dependsOn += std::string(", ") + passName(pass);

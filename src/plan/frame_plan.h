@@ -4,7 +4,7 @@
 #include "optics/water_grid.h"
 #include "plan/lookup_choice.h"
 #include "plan/options.h"
-#include "plan/sight.h"
+#include "plan/visibility_facts.h"
 #include "plan/water_bounds.h"
 #include "scene/scene.h"
 
@@ -78,8 +78,9 @@ ivec2 scaledSize(ivec2 picture, const FrameOptions& options);
 
 /// @param camera of one eye, in stereo   @param size of the picture, or of one eye's, pixels   @param time seconds
 /// @param complexity what the methods auto go by; null where none is
-/// @param sight what the rules go by; null: nothing is known of what the cameras see
+/// @param visibility what the rules go by; null: nothing is known of what the cameras see
 FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-                    ivec2 size, double time, const DepthComplexity* complexity = nullptr, const Sight* sight = nullptr);
+                    ivec2 size, double time, const DepthComplexity* complexity = nullptr,
+                    const VisibilityFacts* visibility = nullptr);
 
 } // namespace tarn

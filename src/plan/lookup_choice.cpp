@@ -41,7 +41,7 @@ LookupChoice both(std::string why) { return {true, true, std::move(why)}; }
 /// Of the bed's map, the longer edge, m.
 float texelOf(const HeightsOptions& options, const WaterBody& water, const HeightMapPicture* given)
 {
-    if (given) return std::max(given->extent.x, given->extent.y) / static_cast<float>(given->edge);
+    if (given) return std::max(given->extent.x, given->extent.y) / static_cast<float>(given->resolution);
     return (std::max(water.extent.x, water.extent.y) + 2.0f * options.border) / static_cast<float>(options.mapSize);
 }
 
@@ -69,8 +69,8 @@ LookupChoice chooseReflection(const Options& options, const DepthComplexity* com
     if (options.reflection.method != Method::automatic) return named(options.reflection.method);
     if (!complexity) return target("auto: whether a map can hold what stands over the water is not known");
     std::string why = fmt::format("auto: {:.1f} % of what stands over the water stands over something else",
-                                  100.0 * complexity->afloat);
-    return complexity->afloat <= mostHidden ? map(std::move(why)) : target(std::move(why));
+                                  100.0 * complexity->aboveWater);
+    return complexity->aboveWater <= mostHidden ? map(std::move(why)) : target(std::move(why));
 }
 
 bool wantsDepthComplexity(const Options& options)

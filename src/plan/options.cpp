@@ -106,7 +106,7 @@ void visit(FieldVisitor& v, WaterOptions& o)
         o.attenuationLength);
     v.field({"sun_roughness", "Deviation of the slope of waves too small to model: width of the sun's glint", "", 0.001,
              0.5},
-            o.sunRoughness);
+            o.sunSlopeDeviation);
     v.choice({"specular",
               "The sun's image on the surface: the glint of its radiance on waves too small to model, or Lipp's "
               "Phong highlight, which is on no honest scale: its light's colour is the radiance of a white "

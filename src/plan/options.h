@@ -48,7 +48,7 @@ struct WaterOptions {
     optics::TableFilter fresnelFilter = optics::TableFilter::nearest;
     Attenuation attenuation = Attenuation::exponential;
     float attenuationLength = 7.5f;
-    float sunRoughness = 0.02f;
+    float sunSlopeDeviation = 0.02f;
     Specular specular = Specular::physical;
     float phongExponent = 256.0f;
     float phongStrength = 2.0f;

@@ -48,9 +48,9 @@ constexpr float nearlyAll = 0.95f;
 class Reduction {
 public:
     Reduction(FramePlan& plan, const Scene& scene, const WaterBody& water, const Camera& camera, const Options& options,
-              ivec2 size, const Sight* sight)
+              ivec2 size, const VisibilityFacts* visibility)
         : plan_(plan), scene_(scene), water_(water), camera_(camera), options_(options),
-          aspect_(static_cast<float>(size.x) / static_cast<float>(size.y)), sight_(sight)
+          aspect_(static_cast<float>(size.x) / static_cast<float>(size.y)), visibility_(visibility)
     {}
 
     void run()
@@ -101,7 +101,8 @@ private:
         // The bed of an eye in the air is seen through its surface only.
         const bool drawsWater = plan_[PassId::water].wanted;
         if (!drawsWater) plan_.raycastsBed = plan_.raycastsMirror = false;
-        if (!drawsWater && plan_.side == WaterSide::above && (!sight_ || !sight_->mainReceives)) dropCaustics(reason);
+        if (!drawsWater && plan_.side == WaterSide::above && (!visibility_ || !visibility_->mainReceives))
+            dropCaustics(reason);
     }
 
     void dropCaustics(const std::string& reason)
@@ -130,7 +131,7 @@ private:
         if (options_.stereo.isOn()) return "there are two eyes";
         if (camera_.eye.y <= waterBounds(water_).upper.y + camera_.nearPlane)
             return "the eye may be within the slab that the surface moves in";
-        if (!sight_ || !sight_->waterWasHidden) return "the water was not hidden in the last frame";
+        if (!visibility_ || !visibility_->waterWasHidden) return "the water was not hidden in the last frame";
         return "";
     }
 
@@ -138,33 +139,34 @@ private:
     {
         if (!plan_[PassId::reflection].wanted) return "there is no reflection target";
         if (!isFromAbove()) return "the surface is seen from below";
-        if (!sight_) return "what is in view is not known";
+        if (!visibility_) return "what is in view is not known";
         if (options_.reflection.method == ReflectionOptions::Method::distance)
             return "reflection.method = distance takes the sky from beside the ray";
         if (scene_.sky.kind == Sky::Kind::picture) return "the sky is a picture, whose changes have no bound";
-        return sight_->mirrors ? "the mirrored camera may see something" : "";
+        return visibility_->mirrors ? "the mirrored camera may see something" : "";
     }
 
     std::string whySeesBed() const
     {
         if (!plan_[PassId::refraction].wanted) return "there is no refraction target";
         if (!isFromAbove()) return "the surface is seen from below";
-        if (!sight_) return "what is in view is not known";
-        return sight_->seesBed ? "the refraction's camera may see something" : "";
+        if (!visibility_) return "what is in view is not known";
+        return visibility_->seesBed ? "the refraction's camera may see something" : "";
     }
 
     /// What the bed adds to the display at most.
     float bedVisibility() const
     {
         constexpr float gathering = 16.0f; // of light by waves (Rule::bound)
-        const float depth = std::max(sight_->leastDepth - totalAmplitude(water_), 0.0f);
+        const float depth = std::max(visibility_->leastDepth - totalAmplitude(water_), 0.0f);
         const vec3 down = optics::beerLambert(water_.absorption, depth);
-        const vec3 light = gathering * sight_->sunBelow * down + sight_->skyBelow * down;
-        const vec3 bed = sight_->bedReflectance * light + sight_->bedEmission;
+        const vec3 light = gathering * visibility_->sunBelow * down + visibility_->skyBelow * down;
+        const vec3 bed = visibility_->bedReflectance * light + visibility_->bedEmission;
         const vec3 up = options_.water.attenuation == WaterOptions::Attenuation::linear
                             ? vec3(optics::linearAttenuation(depth, options_.water.attenuationLength))
                             : down;
-        const vec3 change = up * glm::max(bed, sight_->deepRadiance) * optics::radianceThroughSurface(1.0f, water_.ior);
+        const vec3 change =
+            up * glm::max(bed, visibility_->deepRadiance) * optics::radianceThroughSurface(1.0f, water_.ior);
         return displayChange(options_.frame.toneCurve,
                              options_.frame.exposure * std::max({change.x, change.y, change.z}));
     }
@@ -172,15 +174,15 @@ private:
     void decideDepth()
     {
         std::string whyNot = whySeesBed();
-        if (plan_[PassId::refraction].wanted && isFromAbove() && sight_) {
-            if (!sight_->seesBed)
+        if (plan_[PassId::refraction].wanted && isFromAbove() && visibility_) {
+            if (!visibility_->seesBed)
                 whyNot = "its camera sees nothing";
-            else if (sight_->leastDepth <= 0.0f)
+            else if (visibility_->leastDepth <= 0.0f)
                 whyNot = "its camera may see what is not under water";
             else if (!scene_.pointLights.empty() || !scene_.spotLights.empty())
                 whyNot = "lamps may light the bed without bound";
             else if (const float visible = bedVisibility(); visible > invisible)
-                whyNot = fmt::format("the nearest bed, {:.2f} m deep, may be worth {:.3g}/255", sight_->leastDepth,
+                whyNot = fmt::format("the nearest bed, {:.2f} m deep, may be worth {:.3g}/255", visibility_->leastDepth,
                                      255.0f * visible);
             else
                 whyNot.clear();
@@ -188,18 +190,18 @@ private:
         decide(RuleId::bedTooDeep, whyNot, "no light of the bed is left that could be seen");
         if (applies(RuleId::bedTooDeep))
             drop({PassId::refraction},
-                 fmt::format("the bed, {:.2f} m deep and more, is not to be seen", sight_->leastDepth));
+                 fmt::format("the bed, {:.2f} m deep and more, is not to be seen", visibility_->leastDepth));
     }
 
     std::string whyReceives() const
     {
         if (!plan_[PassId::caustics].wanted) return "there are no caustics";
-        if (!sight_) return "what is in view is not known";
+        if (!visibility_) return "what is in view is not known";
         if (plan_.raycastsBed) return "rays find the bed in its map";
-        if (sight_->mainReceives) return "the eye may see something under water";
-        if (plan_[PassId::refraction].wanted && sight_->refractionReceives)
+        if (visibility_->mainReceives) return "the eye may see something under water";
+        if (plan_[PassId::refraction].wanted && visibility_->refractionReceives)
             return "the refraction's camera may see something under water";
-        if (plan_[PassId::reflection].wanted && sight_->reflectionReceives)
+        if (plan_[PassId::reflection].wanted && visibility_->reflectionReceives)
             return "the mirrored camera may see something under water";
         return plan_.raycastsMirror ? "the map of what stands over the water may hold it" : "";
     }
@@ -248,10 +250,10 @@ private:
         else if (!isFromAbove())
             whyNot = "the surface is seen from below";
         else if (bounds = mirrorBounds(water_, camera_, options_, plan_[PassId::water].size);
-                 bounds.share() > nearlyAll)
+                 bounds.fraction() > nearlyAll)
             whyNot = "the water may look up all of the reflection target";
         decide(RuleId::targetBounds, whyNot,
-               fmt::format("the water looks up {:.0f} % of the reflection target at most", 100.0f * bounds.share()));
+               fmt::format("the water looks up {:.0f} % of the reflection target at most", 100.0f * bounds.fraction()));
         if (applies(RuleId::targetBounds)) plan_.mirrorBounds = bounds;
     }
 
@@ -261,15 +263,15 @@ private:
     const Camera& camera_;
     const Options& options_;
     const float aspect_;
-    const Sight* sight_;
+    const VisibilityFacts* visibility_;
 };
 
 } // namespace
 
 void reducePlan(FramePlan& plan, const Scene& scene, const WaterBody& water, const Camera& camera,
-                const Options& options, ivec2 size, const Sight* sight)
+                const Options& options, ivec2 size, const VisibilityFacts* visibility)
 {
-    Reduction(plan, scene, water, camera, options, size, sight).run();
+    Reduction(plan, scene, water, camera, options, size, visibility).run();
 }
 
 } // namespace tarn

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plan/frame_plan.h"
-#include "plan/sight.h"
+#include "plan/visibility_facts.h"
 
 namespace tarn {
 
@@ -11,9 +11,9 @@ namespace tarn {
 float displayChange(FrameOptions::ToneCurve curve, float exposed);
 
 /// Applies the rules about passes that the options allow, and notes in plan.rules what became of each.
-/// @param sight null: nothing is known, and no rule that asks for it applies
+/// @param visibility null: nothing is known, and no rule that asks for it applies
 void reducePlan(FramePlan& plan, const Scene& scene, const WaterBody& water, const Camera& camera,
-                const Options& options, ivec2 size, const Sight* sight);
+                const Options& options, ivec2 size, const VisibilityFacts* visibility);
 
 /// The options of a frame that shows raw values of what passes look up: only rules that change none of them.
 PlanOptions planForRawValues(PlanOptions plan);

@@ -126,9 +126,9 @@ private:
 };
 
 /// Normalised device coordinates between texels, with two to spare: one for linear filtering, one for rounding.
-TargetBounds wholeTexels(vec2 lower, vec2 upper, int edge)
+TargetBounds wholeTexels(vec2 lower, vec2 upper, int resolution)
 {
-    const float texels = static_cast<float>(edge);
+    const float texels = static_cast<float>(resolution);
     const auto place = [texels](vec2 at) { return (0.5f * glm::clamp(at, -1.0f, 1.0f) + 0.5f) * texels; };
     const vec2 first = glm::max(glm::floor(place(lower)) - 2.0f, vec2(0.0f));
     const vec2 end = glm::min(glm::ceil(place(upper)) + 2.0f, vec2(texels));
@@ -137,7 +137,7 @@ TargetBounds wholeTexels(vec2 lower, vec2 upper, int edge)
 
 } // namespace
 
-float TargetBounds::share() const { return 0.25f * (upper.x - lower.x) * (upper.y - lower.y); }
+float TargetBounds::fraction() const { return 0.25f * (upper.x - lower.x) * (upper.y - lower.y); }
 
 std::vector<vec3> visibleCorners(const WaterBody& water, const Camera& camera, float aspect)
 {
@@ -181,7 +181,7 @@ float largestSlope(const WaterBody& water, const Options& options, float footpri
     for (const Wave& wave : water.waves) {
         const optics::WaveTerm term = optics::makeWaveTerm(wave.amplitude, wave.wavelength, 0.0f, 0.0f);
         sum += (filters ? optics::waveFilter(term, footprint) : 1.0f) * std::abs(wave.amplitude) * term.wavenumber;
-        if (filters) variance += 0.5f * optics::waveLostVariance(term, 0.0f);
+        if (filters) variance += 0.5f * optics::waveFilteredVariance(term, 0.0f);
     }
     return sum + outermostFacet(options.reflection.facets) * std::sqrt(variance);
 }
@@ -211,13 +211,13 @@ TargetBounds mirrorBounds(const WaterBody& water, const Camera& camera, const Op
     const float rise = largestRise(amplitude + beside, height, options.water.surfaceSteps);
     if (rise >= 1.0f) return {};
     const float turn = 2.0f * std::atan(largestSlope(water, options, leastFootprint(water, camera, corners, size)));
-    const Surroundings looks(corners, std::max(std::asin(rise), turn) + halfPixel + rounding);
-    if (looks.reachesCamera) return {};
+    const Surroundings rays(corners, std::max(std::asin(rise), turn) + halfPixel + rounding);
+    if (rays.reachesCamera) return {};
 
     const ReflectionOptions& reflection = options.reflection;
     const float extension = optics::fovExtension(height, reflection.fovExtensionNear, reflection.fovExtensionFar);
     const ViewTangents target(clipFromView(camera, aspect, extension));
-    return wholeTexels((looks.lower - target.middle) / target.half, (looks.upper - target.middle) / target.half,
+    return wholeTexels((rays.lower - target.middle) / target.half, (rays.upper - target.middle) / target.half,
                        reflection.targetSize);
 }
 

@@ -13,7 +13,7 @@ namespace tarn {
 struct TargetBounds {
     vec2 lower{-1.0f}, upper{1.0f};
 
-    float share() const; ///< of the target's area
+    float fraction() const; ///< of the target's area
     bool isWhole() const { return lower == vec2(-1.0f) && upper == vec2(1.0f); }
     bool operator==(const TargetBounds&) const = default;
 };

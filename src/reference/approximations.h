@@ -23,7 +23,7 @@ struct TargetCamera {
 /// The grid of a target's texels, laid over the truth.
 struct TargetTexels {
     TargetCamera camera;
-    int edge = 512; ///< texels
+    int resolution = 512; ///< texels
 };
 
 /// The sun's depth map over the water's level (shaders/passes/sun_maps.glsl); rays stand for its depths.
@@ -33,7 +33,7 @@ struct ShadowTexels {
         double bias = 0.02;   ///< m
     };
     std::vector<Cascade> cascades; ///< finest first
-    int edge = 2048;               ///< texels of each
+    int resolution = 2048;         ///< texels of each
     int taps = 2;                  ///< comparisons along one edge of its filter
 };
 
@@ -46,11 +46,11 @@ struct Approximations {
     std::optional<optics::FresnelTable> fresnelTable; ///< Fresnel from a table
 
     std::optional<TargetCamera> refraction; ///< the bed is what this camera sees where W is
-    int refractionSteps = 0;                ///< looks that the search for W takes (Mihálik 2008, 7.1); 0: the true W
-    bool planarRefraction = false;          ///< the first approximation stands for the search
+    int refractionSteps = 0;       ///< depth samples that the search for W takes (Mihálik 2008, 7.1); 0: the true W
+    bool planarRefraction = false; ///< the first approximation stands for the search
 
     std::optional<TargetCamera> reflection; ///< what is mirrored is what this camera sees
-    int reflectionSteps = 0;                ///< looks of the search; 0: at `reflectionDistance` instead
+    int reflectionSteps = 0;                ///< depth samples of the search; 0: at `reflectionDistance` instead
     double reflectionDistance = 1.0;        ///< c of W = U + cR (eq. 6), m
 
     std::optional<TargetTexels> refractionTexels,

@@ -40,45 +40,46 @@ std::optional<Integrator::Meeting> Integrator::nearest(const Ray& ray, Medium me
 
 vec3 Integrator::radiance(const Ray& ray, double pixelAngle, Random& random, double& truncated) const
 {
-    return along(ray, mediumAt(ray.origin), {.random = random, .truncated = truncated, .pixelAngle = pixelAngle});
+    return incomingRadiance(ray, mediumAt(ray.origin),
+                            {.random = random, .truncated = truncated, .pixelAngle = pixelAngle});
 }
 
-vec3 Integrator::skyAlong(const dvec3& direction, const Walk& walk) const
+vec3 Integrator::skyAlong(const dvec3& direction, const PathState& path) const
 {
-    if (walk.isIndirect) return vec3(0.0f); // the sky's light on surfaces is the spherical harmonics'
+    if (path.isIndirect) return vec3(0.0f); // the sky's light on surfaces is the spherical harmonics'
     const vec3 d(direction);
     vec3 sky = world_.light.sky.radiance(d);
-    if (walk.showsSun && world_.light.hasSun() &&
+    if (path.showsSun && world_.light.hasSun() &&
         glm::length(glm::cross(d, world_.light.sunDirection)) < std::sin(sunAngularRadius) &&
         glm::dot(d, world_.light.sunDirection) > 0.0f)
         sky += world_.light.sky.sunDiscRadiance();
     return sky;
 }
 
-vec3 Integrator::along(const Ray& ray, Medium medium, Walk walk) const
+vec3 Integrator::incomingRadiance(const Ray& ray, Medium medium, PathState path) const
 {
     const bool isWet = medium == Medium::water;
     // Water that glows is the passes' model of scattering; light gathered by a surface is only absorbed.
-    const vec3 deep = walk.isIndirect ? vec3(0.0f) : world_.light.deepRadiance;
+    const vec3 deep = path.isIndirect ? vec3(0.0f) : world_.light.deepRadiance;
     const auto meeting = nearest(ray, medium);
-    if (!meeting) return isWet ? deep : skyAlong(ray.direction, walk);
-    walk.length += meeting->distance;
+    if (!meeting) return isWet ? deep : skyAlong(ray.direction, path);
+    path.length += meeting->distance;
     const vec3 radiance =
-        meeting->hit ? shade(ray, *meeting->hit, medium, walk) : atSurface(ray, meeting->distance, medium, walk);
+        meeting->hit ? shade(ray, *meeting->hit, medium, path) : atSurface(ray, meeting->distance, medium, path);
     if (!isWet) return radiance;
-    return optics::radianceThroughWater(radiance, deep, letThrough(meeting->distance, walk.fadesLinearly));
+    return optics::radianceThroughWater(radiance, deep, letThrough(meeting->distance, path.fadesLinearly));
 }
 
-vec3 Integrator::atSurface(const Ray& ray, double distance, Medium medium, Walk walk) const
+vec3 Integrator::atSurface(const Ray& ray, double distance, Medium medium, PathState path) const
 {
-    if (walk.events >= world_.options.depth || walk.weight < leastWeight) {
-        walk.truncated += walk.weight;
+    if (path.events >= world_.options.depth || path.weight < leastWeight) {
+        path.truncated += path.weight;
         return vec3(0.0f);
     }
-    ++walk.events;
-    walk.fadesLinearly = false;
+    ++path.events;
+    path.fadesLinearly = false;
     const dvec3 U = ray.origin + distance * ray.direction;
-    return medium == Medium::air ? fromAbove(ray, U, walk) : fromBelow(ray, U, walk);
+    return medium == Medium::air ? fromAbove(ray, U, path) : fromBelow(ray, U, path);
 }
 
 vec3 Integrator::glint(const dvec3& U, const dvec3& n, const vec3& toEye) const
@@ -90,7 +91,7 @@ vec3 Integrator::glint(const dvec3& U, const dvec3& n, const vec3& toEye) const
     if (length < 1e-6f) return vec3(0.0f);
     const float fresnel = optics::fresnelExact(std::max(glm::dot(toEye, between / length), 0.0f), 1.0f / light.ior);
     const vec3 radiance = optics::sunGlint(light.sunIrradiance, fresnel, vec3(n), toEye, light.sunDirection,
-                                           world_.sunRoughness * world_.sunRoughness);
+                                           world_.sunSlopeDeviation * world_.sunSlopeDeviation);
     if (radiance == vec3(0.0f)) return radiance;
     return world_.geometry.occluded({U, dvec3(light.sunDirection)}, 1e-3, farthest) ? vec3(0.0f) : radiance;
 }
@@ -114,7 +115,7 @@ double Integrator::reflectance(double cosine) const
     return optics64::fresnelExact(cosine, 1.0 / ior);
 }
 
-vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
+vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, PathState path) const
 {
     const dvec3 n = world_.water->normal(U.x, U.z);
     const double cosine = std::max(-glm::dot(n, ray.direction), 0.0);
@@ -122,28 +123,28 @@ vec3 Integrator::fromAbove(const Ray& ray, const dvec3& U, Walk walk) const
     const Approximations& rough = world_.approximations;
     const double F = reflectance(cosine);
 
-    Walk mirrored = walk;
+    PathState mirrored = path;
     mirrored.weight *= F;
     mirrored.showsSun = false; // the glint is its image
     dvec3 R = world_.water->keptOn(optics64::reflectRay(ray.direction, n), U, true);
     // The frame knows one surface: what is seen in it of further ones is the truth's here.
-    const bool isFirst = walk.events == 1 && !walk.isIndirect;
-    Random chance = walk.random; // a copy: the path's own numbers stay those of the exact picture
+    const bool isFirst = path.events == 1 && !path.isIndirect;
+    Random chance = path.random; // a copy: the path's own numbers stay those of the exact picture
     if (isFirst && rough.reflectionTexels) R = towardsTexel(*rough.reflectionTexels, U, R, chance);
     const vec3 reflected =
-        isFirst && rough.reflection ? lookUpMirrored(U, R, mirrored) : along({U, R}, Medium::air, mirrored);
+        isFirst && rough.reflection ? lookUpMirrored(U, R, mirrored) : incomingRadiance({U, R}, Medium::air, mirrored);
 
-    Walk passed = walk;
+    PathState passed = path;
     passed.weight *= 1.0 - F;
     passed.fadesLinearly = isFirst && rough.attenuationLength > 0.0f;
     dvec3 bent = world_.water->keptOn(optics64::refractRay(ray.direction, n, 1.0 / ior), U, false);
     if (isFirst && rough.refractionTexels) bent = towardsTexel(*rough.refractionTexels, U, bent, chance);
     const vec3 refracted =
-        isFirst && rough.refraction ? lookUpBed(U, bent, passed) : along({U, bent}, Medium::water, passed);
+        isFirst && rough.refraction ? lookUpBed(U, bent, passed) : incomingRadiance({U, bent}, Medium::water, passed);
 
     const auto f = static_cast<float>(F);
     vec3 sum = f * reflected + optics::radianceThroughSurface(1.0f - f, world_.light.ior) * refracted;
-    if (!walk.isIndirect) sum += glint(U, n, vec3(-ray.direction));
+    if (!path.isIndirect) sum += glint(U, n, vec3(-ray.direction));
     return sum;
 }
 
@@ -153,35 +154,35 @@ dvec3 Integrator::towardsTexel(const TargetTexels& texels, const dvec3& U, const
     const TargetPicture picture(texels.camera, world_.geometry, world_.water->level(), world_.light.ior);
     const auto hit = world_.geometry.intersect({U, direction}, offset, farthest);
     const dvec3 W = U + (hit ? hit->distance : texels.camera.farPlane) * direction;
-    const dvec3 way = picture.inTexel(W, texels.edge, chance.next2()) - U;
+    const dvec3 way = picture.inTexel(W, texels.resolution, chance.next2()) - U;
     const double length = glm::length(way);
     return length > 1e-6 ? way / length : direction;
 }
 
 /// Where one of the comparisons that the shadow map's filter makes for a point takes place.
-dvec3 Integrator::shadowPlace(const ShadowTexels& map, const SurfacePoint& point, const dvec2& chance) const
+dvec3 Integrator::shadowUv(const ShadowTexels& map, const SurfacePoint& point, const dvec2& chance) const
 {
     const double level = world_.water ? world_.water->level() : 0.0;
-    const dvec2 slant = optics64::sunSlant(dvec3(world_.light.sunDirection));
-    const dvec2 plane = optics64::sunPlane(point.position, level, slant);
+    const dvec2 shear = optics64::sunShear(dvec3(world_.light.sunDirection));
+    const dvec2 plane = optics64::sunPlane(point.position, level, shear);
     const auto cascade = std::find_if(map.cascades.begin(), map.cascades.end(), [&](const ShadowTexels::Cascade& c) {
         return glm::all(glm::lessThanEqual(glm::abs(plane - dvec2(c.rect.x, c.rect.y)), dvec2(c.rect.z, c.rect.w)));
     });
     if (cascade == map.cascades.end()) return point.position;
     const dvec2 centre(cascade->rect.x, cascade->rect.y), half(cascade->rect.z, cascade->rect.w);
-    const dvec2 texel = 2.0 * half / static_cast<double>(map.edge);
+    const dvec2 texel = 2.0 * half / static_cast<double>(map.resolution);
     const dvec2 at = (plane - centre + half) / texel;
     // A box of taps - 1 texels with linear edges: its texels by chance of their weights.
     const double box = map.taps - 1;
     const dvec2 middle = glm::floor(at + box * (chance - 0.5)) + 0.5;
     const dvec2 there = centre - half + middle * texel;
     const double y = point.position.y + cascade->bias +
-                     glm::dot(optics64::sunPlaneGradient(dvec3(point.geometricNormal), slant), there - plane);
-    const dvec2 xz = there + slant * (y - level);
+                     glm::dot(optics64::sunPlaneGradient(dvec3(point.geometricNormal), shear), there - plane);
+    const dvec2 xz = there + shear * (y - level);
     return {xz.x, y, xz.y};
 }
 
-vec3 Integrator::lookUpBed(const dvec3& U, const dvec3& refracted, Walk walk) const
+vec3 Integrator::lookUpBed(const dvec3& U, const dvec3& refracted, PathState path) const
 {
     const Approximations& rough = world_.approximations;
     const TargetPicture picture(*rough.refraction, world_.geometry, world_.water->level(), world_.light.ior);
@@ -197,13 +198,13 @@ vec3 Integrator::lookUpBed(const dvec3& U, const dvec3& refracted, Walk walk) co
     const TargetPicture::Seen seen = picture.seenAt(W);
     if (rough.refractionSteps == 0 && !rough.planarRefraction) A = seen.point;
     if (!seen.hit) return deep;
-    walk.length += glm::distance(U, seen.point);
+    path.length += glm::distance(U, seen.point);
     const bool isWet = seen.point.y < world_.water->level();
-    const vec3 bed = shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, walk);
-    return optics::radianceThroughWater(bed, deep, letThrough(glm::distance(A, U), walk.fadesLinearly));
+    const vec3 bed = shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, path);
+    return optics::radianceThroughWater(bed, deep, letThrough(glm::distance(A, U), path.fadesLinearly));
 }
 
-vec3 Integrator::lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) const
+vec3 Integrator::lookUpMirrored(const dvec3& U, dvec3 reflected, PathState path) const
 {
     reflected.y = std::abs(reflected.y); // as the frame has it: what a wave mirrors of the water is mirrored again
     const Approximations& rough = world_.approximations;
@@ -211,39 +212,39 @@ vec3 Integrator::lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) cons
     const dvec3 W = rough.reflectionSteps > 0 ? picture.searchMirrored(U, reflected, rough.reflectionSteps)
                                               : U + rough.reflectionDistance * reflected;
     const TargetPicture::Seen seen = picture.seenAt(W);
-    if (!seen.hit) return skyAlong(seen.ray.direction, walk);
-    walk.length += glm::distance(U, seen.point);
+    if (!seen.hit) return skyAlong(seen.ray.direction, path);
+    path.length += glm::distance(U, seen.point);
     const bool isWet = seen.point.y < world_.water->level() && world_.water->spans(seen.point.x, seen.point.z);
-    return shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, walk);
+    return shade(seen.ray, *seen.hit, isWet ? Medium::water : Medium::air, path);
 }
 
-vec3 Integrator::fromBelow(const Ray& ray, const dvec3& U, Walk walk) const
+vec3 Integrator::fromBelow(const Ray& ray, const dvec3& U, PathState path) const
 {
     const dvec3 down = -world_.water->normal(U.x, U.z);
     const double cosine = std::max(-glm::dot(down, ray.direction), 0.0);
     const double ior = world_.light.ior;
     const double F = optics64::fresnelExact(cosine, ior);
 
-    Walk mirrored = walk;
+    PathState mirrored = path;
     mirrored.weight *= F;
     const dvec3 R = world_.water->keptOn(optics64::reflectRay(ray.direction, down), U, false);
-    const vec3 reflected = along({U, R}, Medium::water, mirrored);
+    const vec3 reflected = incomingRadiance({U, R}, Medium::water, mirrored);
     const auto f = static_cast<float>(F);
     if (F >= 1.0) return reflected;
 
-    Walk passed = walk;
+    PathState passed = path;
     passed.weight *= 1.0 - F;
     const dvec3 bent = world_.water->keptOn(optics64::refractRay(ray.direction, down, ior), U, true);
-    const vec3 above = along({U, bent}, Medium::air, passed);
+    const vec3 above = incomingRadiance({U, bent}, Medium::air, passed);
     return f * reflected + (1.0f - f) * world_.light.ior * world_.light.ior * above;
 }
 
-vec3 Integrator::shade(const Ray& ray, const Hit& hit, Medium medium, Walk walk) const
+vec3 Integrator::shade(const Ray& ray, const Hit& hit, Medium medium, PathState path) const
 {
     const SurfacePoint point = world_.geometry.surfaceAt(ray, hit);
     const Light& light = world_.light;
     const vec3 toEye(-ray.direction);
-    const double footprint = walk.length * walk.pixelAngle;
+    const double footprint = path.length * path.pixelAngle;
     vec3 radiance = point.emitted;
     if (medium == Medium::water) {
         const auto depth = static_cast<float>(world_.water->level() - point.position.y);
@@ -251,26 +252,26 @@ vec3 Integrator::shade(const Ray& ray, const Hit& hit, Medium medium, Walk walk)
         radiance += point.albedo / pi *
                     optics::skyIrradianceAtDepth(light.skyBelow, light.absorption, std::max(depth, 0.0f), point.normal);
     } else {
-        radiance += sunInAir(point, toEye, walk);
+        radiance += sunInAir(point, toEye, path);
         radiance += point.albedo / pi * light.skyOn(point.normal);
         if (point.material->alphaTested && point.material->transmission != vec3(0.0f))
             radiance += point.albedo * point.material->transmission / pi * light.skyOn(-point.normal);
     }
-    radiance += litByLamps(light, *point.material, point.albedo, vec3(point.position), point.normal, toEye);
-    if (walk.bounces < world_.options.bounces) radiance += point.albedo * gathered(point, medium, walk);
+    radiance += litByPunctualLights(light, *point.material, point.albedo, vec3(point.position), point.normal, toEye);
+    if (path.bounces < world_.options.bounces) radiance += point.albedo * indirect(point, medium, path);
     return radiance;
 }
 
-vec3 Integrator::sunInAir(const SurfacePoint& point, const vec3& toEye, Walk& walk) const
+vec3 Integrator::sunInAir(const SurfacePoint& point, const vec3& toEye, PathState& path) const
 {
     const Light& light = world_.light;
     if (!light.hasSun()) return vec3(0.0f);
     const vec3 lit = litBy(*point.material, point.albedo, point.normal, toEye, light.sunDirection, light.sunIrradiance);
     if (lit == vec3(0.0f)) return lit;
     const dvec3 sun = glm::normalize(dvec3(light.sunDirection));
-    const dvec2 chance = walk.random.next2();
+    const dvec2 chance = path.random.next2();
     if (const auto& map = world_.approximations.shadows)
-        return world_.geometry.occluded({shadowPlace(*map, point, chance), sun}, offset, farthest) ? vec3(0.0f) : lit;
+        return world_.geometry.occluded({shadowUv(*map, point, chance), sun}, offset, farthest) ? vec3(0.0f) : lit;
     const Across across(sun);
     const dvec2 disc = std::tan(sunAngularRadius) * discFromSquare(chance);
     const dvec3 toSun = glm::normalize(sun + disc.x * across.a + disc.y * across.b);
@@ -310,19 +311,19 @@ vec3 Integrator::sunInWater(const SurfacePoint& point, const vec3& toEye, double
 }
 
 /// Light from other surfaces, for one direction in proportion to the cosine: the mean radiance over the hemisphere.
-vec3 Integrator::gathered(const SurfacePoint& point, Medium medium, Walk walk) const
+vec3 Integrator::indirect(const SurfacePoint& point, Medium medium, PathState path) const
 {
-    ++walk.bounces;
-    walk.isIndirect = true;
-    walk.fadesLinearly = false;
-    walk.weight *= std::max({point.albedo.x, point.albedo.y, point.albedo.z});
-    walk.events = 0; // a new start: the limit is that of one path between surfaces
+    ++path.bounces;
+    path.isIndirect = true;
+    path.fadesLinearly = false;
+    path.weight *= std::max({point.albedo.x, point.albedo.y, point.albedo.z});
+    path.events = 0; // a new start: the limit is that of one path between surfaces
     const dvec3 n(glm::dot(point.normal, point.geometricNormal) > 0.0f ? point.normal : point.geometricNormal);
-    const dvec2 disc = discFromSquare(walk.random.next2());
+    const dvec2 disc = discFromSquare(path.random.next2());
     const Across across(n);
     const double up = std::sqrt(std::max(1.0 - disc.x * disc.x - disc.y * disc.y, 0.0));
     const dvec3 direction = glm::normalize(disc.x * across.a + disc.y * across.b + up * n);
-    return along({point.position + offset * dvec3(point.geometricNormal), direction}, medium, walk);
+    return incomingRadiance({point.position + offset * dvec3(point.geometricNormal), direction}, medium, path);
 }
 
 } // namespace tarn::reference

@@ -18,8 +18,8 @@ struct World {
     const Geometry& geometry;
     const WaterSurface* water; ///< null: none
     const Light& light;
-    const SunMap& sunMap;       ///< empty where the light under water is that of a flat surface
-    float sunRoughness = 0.02f; ///< slope deviation of the waves that the scene does not model
+    const SunMap& sunMap;            ///< empty where the light under water is that of a flat surface
+    float sunSlopeDeviation = 0.02f; ///< slope deviation of the waves that the scene does not model
     ReferenceOptions options;
     Approximations approximations;
 };
@@ -40,7 +40,7 @@ public:
 
 private:
     enum class Medium { air, water };
-    struct Walk {
+    struct PathState {
         Random& random;
         double& truncated;
         double pixelAngle;
@@ -58,22 +58,22 @@ private:
     };
 
     std::optional<Meeting> nearest(const Ray& ray, Medium medium) const;
-    vec3 along(const Ray& ray, Medium medium, Walk walk) const;
-    vec3 atSurface(const Ray& ray, double distance, Medium medium, Walk walk) const;
-    vec3 fromAbove(const Ray& ray, const dvec3& U, Walk walk) const;
-    vec3 fromBelow(const Ray& ray, const dvec3& U, Walk walk) const;
+    vec3 incomingRadiance(const Ray& ray, Medium medium, PathState path) const;
+    vec3 atSurface(const Ray& ray, double distance, Medium medium, PathState path) const;
+    vec3 fromAbove(const Ray& ray, const dvec3& U, PathState path) const;
+    vec3 fromBelow(const Ray& ray, const dvec3& U, PathState path) const;
     dvec3 towardsTexel(const TargetTexels& texels, const dvec3& U, const dvec3& direction, Random& chance) const;
-    dvec3 shadowPlace(const ShadowTexels& map, const SurfacePoint& point, const dvec2& chance) const;
-    vec3 lookUpBed(const dvec3& U, const dvec3& refracted, Walk walk) const;
-    vec3 lookUpMirrored(const dvec3& U, dvec3 reflected, Walk walk) const;
-    vec3 shade(const Ray& ray, const Hit& hit, Medium medium, Walk walk) const;
-    vec3 sunInAir(const SurfacePoint& point, const vec3& toEye, Walk& walk) const;
+    dvec3 shadowUv(const ShadowTexels& map, const SurfacePoint& point, const dvec2& chance) const;
+    vec3 lookUpBed(const dvec3& U, const dvec3& refracted, PathState path) const;
+    vec3 lookUpMirrored(const dvec3& U, dvec3 reflected, PathState path) const;
+    vec3 shade(const Ray& ray, const Hit& hit, Medium medium, PathState path) const;
+    vec3 sunInAir(const SurfacePoint& point, const vec3& toEye, PathState& path) const;
     vec3 sunInWater(const SurfacePoint& point, const vec3& toEye, double footprint) const;
-    vec3 gathered(const SurfacePoint& point, Medium medium, Walk walk) const;
+    vec3 indirect(const SurfacePoint& point, Medium medium, PathState path) const;
     double reflectance(double cosine) const;
     vec3 letThrough(double path, bool fadesLinearly) const;
     vec3 glint(const dvec3& U, const dvec3& n, const vec3& toEye) const;
-    vec3 skyAlong(const dvec3& direction, const Walk& walk) const;
+    vec3 skyAlong(const dvec3& direction, const PathState& path) const;
     std::optional<vec3> causticsAt(const dvec3& position, double footprint) const;
     Medium mediumAt(const dvec3& point) const;
 

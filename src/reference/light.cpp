@@ -7,17 +7,17 @@ namespace tarn::reference {
 
 namespace {
 
-std::vector<blocks::LightTerm> lampsOf(const Scene& scene)
+std::vector<blocks::LightTerm> punctualLightsOf(const Scene& scene)
 {
-    std::vector<blocks::LightTerm> lamps;
+    std::vector<blocks::LightTerm> punctualLights;
     for (const PointLight& light : scene.pointLights)
-        lamps.push_back({light.position, 1.0f, light.intensity, -2.0f, vec3(0.0f, -1.0f, 0.0f), 0.0f});
+        punctualLights.push_back({light.position, 1.0f, light.intensity, -2.0f, vec3(0.0f, -1.0f, 0.0f), 0.0f});
     for (const SpotLight& light : scene.spotLights)
-        lamps.push_back({light.position, std::cos(light.innerAngle), light.intensity, std::cos(light.outerAngle),
-                         light.direction, 0.0f});
+        punctualLights.push_back({light.position, std::cos(light.innerAngle), light.intensity,
+                                  std::cos(light.outerAngle), light.direction, 0.0f});
     // The viewer has room for so many, and says which it leaves out.
-    if (lamps.size() > static_cast<std::size_t>(blocks::maxLights)) lamps.resize(blocks::maxLights);
-    return lamps;
+    if (punctualLights.size() > static_cast<std::size_t>(blocks::maxLights)) punctualLights.resize(blocks::maxLights);
+    return punctualLights;
 }
 
 bool transmits(const Material& material) { return material.alphaTested && material.transmission != vec3(0.0f); }
@@ -26,7 +26,7 @@ bool transmits(const Material& material) { return material.alphaTested && materi
 
 Light::Light(const Scene& scene, const WaterBody& water)
     : sky(scene), hasWater(water.present), ior(water.ior), level(water.level), absorption(water.absorption),
-      sunDirection(sky.sunDirection()), sunIrradiance(sky.sunIrradiance()), lamps(lampsOf(scene))
+      sunDirection(sky.sunDirection()), sunIrradiance(sky.sunIrradiance()), punctualLights(punctualLightsOf(scene))
 {
     const vec3 up(0.0f, 1.0f, 0.0f);
     sunDirectionBelow = optics::refractedSunDirection(sunDirection, ior);
@@ -52,18 +52,18 @@ vec3 litBy(const Material& material, const vec3& albedo, const vec3& normal, con
     return radiance;
 }
 
-vec3 litByLamps(const Light& light, const Material& material, const vec3& albedo, const vec3& position,
-                const vec3& normal, const vec3& toEye)
+vec3 litByPunctualLights(const Light& light, const Material& material, const vec3& albedo, const vec3& position,
+                         const vec3& normal, const vec3& toEye)
 {
     vec3 radiance(0.0f);
-    for (const blocks::LightTerm& lamp : light.lamps) {
-        const vec3 toLamp = lamp.position - position;
-        const float distance2 = std::max(glm::dot(toLamp, toLamp), 1.0e-6f);
-        const vec3 direction = toLamp / std::sqrt(distance2);
-        const float cone = lamp.cosOuter < -1.5f
-                               ? 1.0f
-                               : glm::smoothstep(lamp.cosOuter, lamp.cosInner, glm::dot(-direction, lamp.direction));
-        radiance += litBy(material, albedo, normal, toEye, direction, lamp.intensity * (cone / distance2));
+    for (const blocks::LightTerm& source : light.punctualLights) {
+        const vec3 toLight = source.position - position;
+        const float distance2 = std::max(glm::dot(toLight, toLight), 1.0e-6f);
+        const vec3 direction = toLight / std::sqrt(distance2);
+        const float cone = source.cosOuter < -1.5f ? 1.0f
+                                                   : glm::smoothstep(source.cosOuter, source.cosInner,
+                                                                     glm::dot(-direction, source.direction));
+        radiance += litBy(material, albedo, normal, toEye, direction, source.intensity * (cone / distance2));
     }
     return radiance;
 }

@@ -22,7 +22,7 @@ struct Light {
     vec3 skyBelow;                     ///< irradiance of the sky on an upward surface just under flat water
     vec3 deepRadiance;                 ///< radiance inside infinitely deep water
     std::array<vec4, 9> skyIrradiance; ///< spherical harmonics
-    std::vector<blocks::LightTerm> lamps;
+    std::vector<blocks::LightTerm> punctualLights;
 
     /// @param water hasWater is its `present`
     Light(const Scene& scene, const WaterBody& water);
@@ -36,8 +36,9 @@ struct Light {
 vec3 litBy(const Material& material, const vec3& albedo, const vec3& normal, const vec3& toEye, const vec3& toLight,
            const vec3& irradiance);
 
-/// Radiance that the scene's lamps give a point; like the viewer's, their light goes through everything.
-vec3 litByLamps(const Light& light, const Material& material, const vec3& albedo, const vec3& position,
-                const vec3& normal, const vec3& toEye);
+/// Radiance that the scene's point and spot lights give a point; like the viewer's, their light goes through
+/// everything.
+vec3 litByPunctualLights(const Light& light, const Material& material, const vec3& albedo, const vec3& position,
+                         const vec3& normal, const vec3& toEye);
 
 } // namespace tarn::reference

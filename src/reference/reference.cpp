@@ -68,12 +68,12 @@ void requireSize(ivec2 size)
 struct Tracer::State {
     const Scene& scene;
     const WaterBody& body;
-    float sunRoughness;
+    float sunSlopeDeviation;
     Geometry geometry;
     Light light;
 
     State(const Scene& s, const WaterBody& w, float roughness)
-        : scene(s), body(w), sunRoughness(roughness), geometry(s), light(s, w)
+        : scene(s), body(w), sunSlopeDeviation(roughness), geometry(s), light(s, w)
     {}
 
     SunMap::Inputs mapInputs(const WaterSurface& water, int photons, int seed) const
@@ -109,15 +109,15 @@ struct Tracer::State {
     World world(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
                 const ReferenceOptions& options) const
     {
-        return {geometry, water, light, map, sunRoughness, options, view.approximations};
+        return {geometry, water, light, map, sunSlopeDeviation, options, view.approximations};
     }
     std::string identity(const ViewRequest& view, const ReferenceOptions& options) const;
     Picture picture(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
                     const ReferenceOptions& options, const Accumulation& sums) const;
 };
 
-Tracer::Tracer(const Scene& scene, const WaterBody& water, float sunRoughness)
-    : state_(std::make_unique<State>(scene, water, sunRoughness))
+Tracer::Tracer(const Scene& scene, const WaterBody& water, float sunSlopeDeviation)
+    : state_(std::make_unique<State>(scene, water, sunSlopeDeviation))
 {}
 
 Tracer::~Tracer() = default;
@@ -173,9 +173,9 @@ std::string identityOf(const Approximations& rough)
         text += fmt::format("; reflection {} {}", rough.reflectionSteps, rough.reflectionDistance) +
                 identityOf(*rough.reflection);
     for (const auto& texels : {rough.refractionTexels, rough.reflectionTexels})
-        if (texels) text += fmt::format("; texels {}", texels->edge) + identityOf(texels->camera);
+        if (texels) text += fmt::format("; texels {}", texels->resolution) + identityOf(texels->camera);
     if (const auto& map = rough.shadows) {
-        text += fmt::format("; shadows {} {}", map->edge, map->taps);
+        text += fmt::format("; shadows {} {}", map->resolution, map->taps);
         for (const ShadowTexels::Cascade& c : map->cascades)
             text += fmt::format(" {},{} {},{} {}", c.rect.x, c.rect.y, c.rect.z, c.rect.w, c.bias);
     }
@@ -195,7 +195,7 @@ std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOpti
         view.size.y, options.depth, options.bounces, options.photons, options.seed, body.level, body.ior, body.extent.x,
         body.extent.y, body.centre.x, body.centre.y, view.gridSize,
         view.gridSize > 0 && view.gridFocused ? " focused" : "", view.flatLight, triple(light.sunDirection),
-        sunRoughness);
+        sunSlopeDeviation);
     for (const Wave& w : body.waves)
         text += fmt::format("; {} {} {} {} {}", w.amplitude, w.wavelength, w.direction, w.phase, w.period);
     if (const WaterNormalMap& map = body.normalMap; normalMap()) {
@@ -252,7 +252,7 @@ double noiseOf(const Accumulation& sums)
 double meanTruncated(const Accumulation& sums)
 {
     double total = 0.0;
-    for (const float share : sums.truncated) total += share;
+    for (const float fraction : sums.truncated) total += fraction;
     return total / (static_cast<double>(sums.truncated.size()) * std::max(sums.samples, 1));
 }
 
@@ -337,15 +337,15 @@ Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options,
 
     Picture picture = s.picture(view, water ? &*water : nullptr, map, options, sums);
     TraceReport done{.seconds = secondsSince(start),
-                     .truncatedShare = meanTruncated(sums),
+                     .truncatedFraction = meanTruncated(sums),
                      .causticsNoise = map.noise(),
-                     .lostPhotons = map.lostShare(),
+                     .lostPhotons = map.lostFraction(),
                      .photons = map.photonCount(),
                      .radianceNoise = noiseOf(sums)};
     picture.metadata = {{"tarn:samples", fmt::format("{}", sums.samples)},
                         {"tarn:reference", identity},
                         {"tarn:radiance", "linear RGB; times 1/n^2 where it leaves the water and n^2 where it enters"},
-                        {"tarn:truncated_share", fmt::format("{:.3g}", done.truncatedShare)},
+                        {"tarn:truncated_fraction", fmt::format("{:.3g}", done.truncatedFraction)},
                         {"tarn:radiance_noise", fmt::format("{:.3g}", done.radianceNoise)},
                         {"tarn:photons", fmt::format("{}", done.photons)},
                         {"tarn:caustics_noise", fmt::format("{:.3g}", done.causticsNoise)}};

@@ -44,9 +44,9 @@ struct ViewRequest {
 /// What it took and how far it can be trusted; also in the picture's metadata.
 struct TraceReport {
     double seconds = 0.0;
-    double truncatedShare = 0.0; ///< upper bound of the mean share of a pixel's light that was not followed
-    double causticsNoise = 0.0;  ///< standard error of the sun's light under water, of its mean
-    double lostPhotons = 0.0;    ///< share that met no bed
+    double truncatedFraction = 0.0; ///< upper bound of the mean share of a pixel's light that was not followed
+    double causticsNoise = 0.0;     ///< standard error of the sun's light under water, of its mean
+    double lostPhotons = 0.0;       ///< share that met no bed
     std::size_t photons = 0;
     double radianceNoise = 0.0; ///< standard error of the pixels' mean luminance, RMS, of the mean luminance
 };
@@ -68,7 +68,7 @@ public:
 class Tracer {
 public:
     /// Keeps references to both.
-    Tracer(const Scene& scene, const WaterBody& water, float sunRoughness = 0.02f);
+    Tracer(const Scene& scene, const WaterBody& water, float sunSlopeDeviation = 0.02f);
     ~Tracer();
 
     /// Deterministic for the options' seed, whatever the number of threads. Throws Error for a checkpoint of another

@@ -34,7 +34,7 @@ int levelOf(double footprint)
     return std::clamp(static_cast<int>(std::floor(steps + 0.5)), 0, mapLevels - 1);
 }
 
-dvec2 planeOf(const dvec3& p, double level, const dvec2& slant) { return dvec2(p.x, p.z) - slant * (p.y - level); }
+dvec2 planeOf(const dvec3& p, double level, const dvec2& shear) { return dvec2(p.x, p.z) - shear * (p.y - level); }
 
 } // namespace
 
@@ -61,7 +61,7 @@ SunMap::SunMap(const Inputs& inputs, const std::vector<LightQuery>& queries, Pro
         extent.upper = glm::max(extent.upper, at);
     }
     // First the rectangles, so that photons can be shared out; then texels as coarse as the photons ask for.
-    std::vector<double> shares;
+    std::vector<double> fractions;
     std::vector<dvec2> edges;
     double sum = 0.0;
     for (int level = 0; level < mapLevels; ++level) {
@@ -75,13 +75,13 @@ SunMap::SunMap(const Inputs& inputs, const std::vector<LightQuery>& queries, Pro
         const dvec2 edge = glm::min(extent.upper + room, inputs.water.upper() + 2.0) - map.lower;
         if (!(edge.x > 0.0 && edge.y > 0.0)) continue;
         edges.push_back(edge);
-        shares.push_back(std::max(edge.x * edge.y / (map.texel * map.texel), 2.5e5));
-        sum += shares.back();
+        fractions.push_back(std::max(edge.x * edge.y / (map.texel * map.texel), 2.5e5));
+        sum += fractions.back();
         maps_.push_back(std::move(map));
     }
     double done = 0.0;
     for (std::size_t i = 0; i < maps_.size(); ++i) {
-        const auto photons = static_cast<std::size_t>(inputs.photons * shares[i] / sum);
+        const auto photons = static_cast<std::size_t>(inputs.photons * fractions[i] / sum);
         Map& map = maps_[i];
         const double area = edges[i].x * edges[i].y;
         map.texel = std::max(
@@ -89,9 +89,9 @@ SunMap::SunMap(const Inputs& inputs, const std::vector<LightQuery>& queries, Pro
              std::sqrt(area / mostTexels)});
         map.size = ivec2(glm::ceil(edges[i] / map.texel)) + 1;
         trace(inputs, map, photons, [&](double part) {
-            if (progress) progress->report((done + part * shares[i]) / sum, "tracing photons");
+            if (progress) progress->report((done + part * fractions[i]) / sum, "tracing photons");
         });
-        done += shares[i];
+        done += fractions[i];
     }
 }
 
@@ -217,7 +217,7 @@ void SunMap::trace(const Inputs& inputs, Map& map, std::size_t photons, const st
 void SunMap::fold(Map& map, std::vector<Landing>& landings, const Light& light, double cellArea) const
 {
     const std::size_t texels = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
-    const auto share = static_cast<float>(cellArea / (map.texel * map.texel));
+    const auto fraction = static_cast<float>(cellArea / (map.texel * map.texel));
     map.begin.assign(texels + 1, 0);
     std::size_t i = 0;
     for (std::size_t texel = 0; texel < texels; ++texel) {
@@ -227,7 +227,7 @@ void SunMap::fold(Map& map, std::vector<Landing>& landings, const Light& light, 
             if (map.entries.size() == map.begin[texel] || map.entries.back().layer != layer)
                 map.entries.push_back({layer, vec3(0.0f), vec3(0.0f)});
             const vec3 flux =
-                2.0f * share * landings[i].light * optics::beerLambert(light.absorption, landings[i].path);
+                2.0f * fraction * landings[i].light * optics::beerLambert(light.absorption, landings[i].path);
             ((landings[i].key & 1u) ? map.entries.back().first : map.entries.back().second) += flux;
             ++i;
         }
@@ -299,7 +299,7 @@ double SunMap::noise() const
     return std::sqrt(difference / count) / (total / count);
 }
 
-double SunMap::lostShare() const
+double SunMap::lostFraction() const
 {
     return entered_ > 0 ? static_cast<double>(lost_) / static_cast<double>(entered_) : 0.0;
 }

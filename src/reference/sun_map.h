@@ -57,7 +57,7 @@ public:
     double noise() const;
     std::size_t photonCount() const { return photons_; }
     /// Share of the photons that entered the water and met nothing.
-    double lostShare() const;
+    double lostFraction() const;
 
 private:
     /// The part of a texel's light that arrives between two heights.

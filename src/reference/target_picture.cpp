@@ -50,12 +50,12 @@ TargetPicture::Seen TargetPicture::seenAt(const dvec3& place) const
     return alongLine(glm::normalize(dmat3(worldFromView_) * dvec3(tangent, -1.0)));
 }
 
-dvec3 TargetPicture::inTexel(const dvec3& place, int edge, const dvec2& chance) const
+dvec3 TargetPicture::inTexel(const dvec3& place, int resolution, const dvec2& chance) const
 {
     const bool isFlat = camera_.throughFlatWater;
     const dvec3 p = inView(isFlat ? optics64::flatApparent(eye_, place, level_, ior_) : place);
     if (p.z > -1e-6) return place;
-    const dvec2 texel = 2.0 * camera_.tangents / static_cast<double>(edge); // tangents across one
+    const dvec2 texel = 2.0 * camera_.tangents / static_cast<double>(resolution); // tangents across one
     const dvec2 at = dvec2(p) / -p.z / texel;
     // Texels' middles lie at halves, since an even number of them lies about the picture's middle.
     const dvec2 middle = glm::floor(at - 0.5 + chance) + 0.5;

@@ -25,7 +25,7 @@ public:
     /// The middle of one of the four texels about a place, as deep in the picture as that, by chance of its
     /// bilinear weight.
     /// @param chance two numbers from 0 to 1
-    dvec3 inTexel(const dvec3& place, int edge, const dvec2& chance) const;
+    dvec3 inTexel(const dvec3& place, int resolution, const dvec2& chance) const;
 
     /// W: where a ray from the surface meets what the picture shows, found as passes/water.frag finds it.
     /// @param A what the search takes for the point there

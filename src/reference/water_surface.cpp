@@ -116,7 +116,7 @@ WaterSurface::WaterSurface(const WaterBody& water, double time, const Grid& grid
     if (!grid_) return;
     for (std::size_t axis = 0; axis < 2; ++axis)
         for (int i = 0; i < static_cast<int>((*grid_)[axis].vertices); ++i)
-            lines_[axis].push_back(optics64::gridPlace((*grid_)[axis], i));
+            lines_[axis].push_back(optics64::gridPosition((*grid_)[axis], i));
 }
 
 bool WaterSurface::spans(double x, double z) const
@@ -171,7 +171,7 @@ dvec3 WaterSurface::drawnNormal(double x, double z) const
     // The triangle of the grid: see gridHeight in shaders/shared/water_grid.glsl.
     const auto& [axisX, axisZ] = *normalGrid_;
     const auto place = [&](const dvec2& line) {
-        return dvec2(optics64::gridPlace(axisX, line.x), optics64::gridPlace(axisZ, line.y));
+        return dvec2(optics64::gridPosition(axisX, line.x), optics64::gridPosition(axisZ, line.y));
     };
     const dvec2 line(optics64::gridLine(axisX, x), optics64::gridLine(axisZ, z));
     const dvec2 corner = glm::min(glm::floor(line), dvec2(axisX.vertices, axisZ.vertices) - 2.0);

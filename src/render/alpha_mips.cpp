@@ -43,7 +43,7 @@ Level decoded(const Image& image, const CutOut& cutOut, CutOutLevels kind)
         const bool isAlpha = static_cast<int>(i % static_cast<std::size_t>(image.channels)) == cutOut.channel;
         float& value = level.values[i];
         value = isAlpha ? static_cast<float>(image.bytes[i]) / 255.0f : colour[image.bytes[i]];
-        if (isAlpha && kind == CutOutLevels::shares) value = value >= cutOut.cutoff ? 1.0f : 0.0f;
+        if (isAlpha && kind == CutOutLevels::coverage) value = value >= cutOut.cutoff ? 1.0f : 0.0f;
     }
     return level;
 }

@@ -22,7 +22,7 @@ enum class CutOutLevels {
     /// cutoff as in the picture (Castaño 2010, "Computing alpha mipmaps").
     covering,
     /// The share of each texel that is there, 0 to 1: for tests against many limits.
-    shares,
+    coverage,
 };
 
 /// The levels below the picture itself, the largest first, the last of 1 x 1: each half as wide and high as the one

@@ -36,7 +36,7 @@ blocks::FrameBlock frameBlock(const Scene& scene, const WaterBody& water, const 
     block.hasWater = water.present && options.water.enabled ? 1.0f : 0.0f;
     block.absorption = water.absorption;
     block.waveCount = static_cast<float>(drawnWaveCount(water));
-    block.sunRoughness = options.water.sunRoughness;
+    block.sunSlopeDeviation = options.water.sunSlopeDeviation;
     block.waterRect = vec4(water.centre, 0.5f * water.extent);
     for (std::size_t i = 0; i < 9; ++i) block.skyIrradiance[i] = vec4(sky.irradianceCoefficients()[i], 0.0f);
     lightBelow(block, water, sky);

@@ -67,7 +67,7 @@ void GpuScene::uploadIndices(std::size_t mesh, const std::vector<std::uint32_t>&
     }
 }
 
-bool GpuScene::wantDetail(Progress* progress)
+bool GpuScene::ensureDetail(Progress* progress)
 {
     if (std::exchange(hasDetail_, true)) return false;
     std::vector<MeshDetail> details(scene_.meshes.size());
@@ -208,25 +208,25 @@ void GpuScene::setAnisotropy(float anisotropy)
     anisotropy_ = anisotropy;
     for (auto& [key, map] : textures_) {
         map.texture.setAnisotropy(anisotropy);
-        if (map.shares) map.shares.setAnisotropy(anisotropy);
+        if (map.coverage) map.coverage.setAnisotropy(anisotropy);
     }
     if (waterNormals_) waterNormals_.setAnisotropy(anisotropy);
 }
 
-void GpuScene::wantShares()
+void GpuScene::ensureCoverage()
 {
     for (auto& [key, map] : textures_) {
-        if (!map.cutOut || map.shares) continue;
+        if (!map.cutOut || map.coverage) continue;
         const Image image = pictureOf(map.texture);
-        map.shares = uploaded(image, key.second);
-        uploadCutOutLevels(map.shares, image, *map.cutOut, CutOutLevels::shares);
+        map.coverage = uploaded(image, key.second);
+        uploadCutOutLevels(map.coverage, image, *map.cutOut, CutOutLevels::coverage);
     }
 }
 
-const gl::Texture& GpuScene::shares(int image, MapUse use) const
+const gl::Texture& GpuScene::coverage(int image, MapUse use) const
 {
     const MapTexture& map = textures_.at({image, use});
-    return map.shares ? map.shares : map.texture;
+    return map.coverage ? map.coverage : map.texture;
 }
 
 namespace {

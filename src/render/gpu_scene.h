@@ -38,7 +38,7 @@ public:
 
     const Scene& scene() const { return scene_; }
     const std::vector<Instance>& instances() const { return instances_; }
-    /// Levels of detail are among them after wantDetail().
+    /// Levels of detail are among them after ensureDetail().
     const Chunks& chunks() const { return chunks_; }
     const SkyModel& sky() const { return sky_; }
     const gl::Texture& skyMap() const { return skyMap_; }
@@ -47,13 +47,13 @@ public:
     /// How a map's values are meant: colours are sRGB-encoded, the rest is linear.
     enum class MapUse { colour, data };
     const gl::Texture& texture(int image, MapUse use) const { return textures_.at({image, use}).texture; }
-    /// The same; a cut-out's smaller levels hold shares (render/alpha_mips.h). Only after wantShares().
-    const gl::Texture& shares(int image, MapUse use) const;
-    /// Uploads what shares() gives, once.
-    void wantShares();
+    /// The same; a cut-out's smaller levels hold coverage (render/alpha_mips.h). Only after ensureCoverage().
+    const gl::Texture& coverage(int image, MapUse use) const;
+    /// Uploads what coverage() gives, once.
+    void ensureCoverage();
 
     /// Makes and uploads levels of detail of every mesh, once. True when there were none before.
-    bool wantDetail(Progress* progress);
+    bool ensureDetail(Progress* progress);
 
     /// Of vertices and indices, as uploaded.
     std::size_t geometryBytes() const { return geometryBytes_; }
@@ -80,7 +80,7 @@ private:
     struct MapTexture {
         gl::Texture texture;
         std::optional<CutOut> cutOut; ///< how materials that test alpha by it cut surfaces out, or nothing
-        gl::Texture shares;           ///< of a cut-out; empty until they are wanted
+        gl::Texture coverage;         ///< of a cut-out; empty until they are wanted
     };
     using TextureKey = std::pair<int, MapUse>;
     std::map<TextureKey, MapTexture> textures_;

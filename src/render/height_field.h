@@ -11,7 +11,7 @@ namespace tarn {
 /// Texel (i, j) stands for its centre, x = lower + (i + 0.5) · texel; rows run along +z.
 struct HeightField {
     LevelRect rect;
-    int edge = 0;               ///< texels along one edge, a power of two
+    int resolution = 0;         ///< texels along one edge, a power of two
     std::vector<float> heights; ///< world y, m; `lowest` where nothing lies
     float lowest = 0.0f;
 
@@ -37,17 +37,17 @@ std::vector<std::vector<float>> largestHeights(const HeightField& field);
 /// finer level, or three by three of the map's own centres, which neighbouring blocks share.
 /// @param join called with the block, which begins as `empty`, and each of its texels
 template <typename Texel, typename Join>
-std::vector<Texel> coarserLevel(const std::vector<Texel>& finer, int finerEdge, bool ofCentres, const Texel& empty,
-                                const Join& join)
+std::vector<Texel> coarserLevel(const std::vector<Texel>& finer, int finerResolution, bool ofCentres,
+                                const Texel& empty, const Join& join)
 {
-    const int edge = finerEdge > 1 ? finerEdge / 2 : 1, reach = ofCentres ? 2 : 1;
+    const int resolution = finerResolution > 1 ? finerResolution / 2 : 1, reach = ofCentres ? 2 : 1;
     std::vector<Texel> level;
-    for (int j = 0; j < edge; ++j)
-        for (int i = 0; i < edge; ++i) {
+    for (int j = 0; j < resolution; ++j)
+        for (int i = 0; i < resolution; ++i) {
             Texel block = empty;
-            for (int y = 2 * j; y <= 2 * j + reach && y < finerEdge; ++y)
-                for (int x = 2 * i; x <= 2 * i + reach && x < finerEdge; ++x)
-                    join(block, finer[static_cast<std::size_t>(y) * static_cast<std::size_t>(finerEdge) +
+            for (int y = 2 * j; y <= 2 * j + reach && y < finerResolution; ++y)
+                for (int x = 2 * i; x <= 2 * i + reach && x < finerResolution; ++x)
+                    join(block, finer[static_cast<std::size_t>(y) * static_cast<std::size_t>(finerResolution) +
                                       static_cast<std::size_t>(x)]);
             level.push_back(block);
         }

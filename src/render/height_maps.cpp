@@ -21,10 +21,10 @@ HeightsPass::Inputs bedInputs(const HeightMaps::Inputs& frame)
     return inputs;
 }
 
-AfloatHeightsPass::Inputs afloatInputs(const HeightMaps::Inputs& frame)
+AboveWaterHeightsPass::Inputs aboveWaterInputs(const HeightMaps::Inputs& frame)
 {
     const WaterBody& water = frame.water;
-    AfloatHeightsPass::Inputs inputs;
+    AboveWaterHeightsPass::Inputs inputs;
     const vec2 half = 0.5f * water.extent;
     const vec2 low = glm::min(vec2(frame.bounds.lower.x, frame.bounds.lower.z), water.centre - half);
     const vec2 high = glm::max(vec2(frame.bounds.upper.x, frame.bounds.upper.z), water.centre + half);
@@ -57,8 +57,8 @@ bool sayOtherLight(const HeightMapPicture& map, const MapLight& now)
 
 } // namespace
 
-void HeightMaps::draw(const Inputs& frame, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
-                      FrameStats::Pass& stats)
+void HeightMaps::draw(const Inputs& frame, SceneRenderer& sceneRenderer,
+                      gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameStats::Pass& stats)
 {
     light_ = mapLight(frame.light);
     const auto take = [this](auto& pass, const HeightMapPicture& picture) {
@@ -66,36 +66,36 @@ void HeightMaps::draw(const Inputs& frame, ScenePainter& painter, gl::UniformBuf
         if (!saidOther_.contains(picture.kind) && sayOtherLight(picture, light_)) saidOther_.insert(picture.kind);
     };
     if (frame.plan.raycastsMirror) {
-        if (const auto& given = frame.given.afloat.picture)
-            take(afloat_, *given);
+        if (const auto& given = frame.given.aboveWater.picture)
+            take(aboveWater_, *given);
         else
-            drawAfloat(frame, painter, viewBlock, stats);
+            drawAboveWater(frame, sceneRenderer, viewBlock, stats);
     }
     if (frame.plan.raycastsBed) {
         if (const auto& given = frame.given.bed.picture)
             take(bed_, *given);
         else
-            drawBed(frame, painter, viewBlock, stats);
+            drawBed(frame, sceneRenderer, viewBlock, stats);
     }
 }
 
-void HeightMaps::drawAfloat(const Inputs& frame, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
-                            FrameStats::Pass& stats)
+void HeightMaps::drawAboveWater(const Inputs& frame, SceneRenderer& sceneRenderer,
+                                gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameStats::Pass& stats)
 {
-    using From = AfloatHeightsPass::From;
+    using From = AboveWaterHeightsPass::From;
     const HeightsOptions& options = frame.options.heights;
-    const AfloatHeightsPass::Inputs inputs = afloatInputs(frame);
-    if (frame.options.plan.allows(RuleId::keepMaps) && !afloat_.isStale(inputs, options)) return;
+    const AboveWaterHeightsPass::Inputs inputs = aboveWaterInputs(frame);
+    if (frame.options.plan.allows(RuleId::keepMaps) && !aboveWater_.isStale(inputs, options)) return;
     for (const From from : {From::above, From::below}) {
-        const View view = AfloatHeightsPass::view(inputs, from);
+        const View view = AboveWaterHeightsPass::view(inputs, from);
         viewBlock.update(tarn::viewBlock(view, ivec2(powerOfTwo(options.mapSize))));
-        afloat_.draw(from, view, painter, inputs, options, stats);
+        aboveWater_.draw(from, view, sceneRenderer, inputs, options, stats);
     }
-    afloat_.readHeights(inputs);
+    aboveWater_.readHeights(inputs);
 }
 
-void HeightMaps::drawBed(const Inputs& frame, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
-                         FrameStats::Pass& stats)
+void HeightMaps::drawBed(const Inputs& frame, SceneRenderer& sceneRenderer,
+                         gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameStats::Pass& stats)
 {
     const HeightsOptions& options = frame.options.heights;
     const ivec2 size(powerOfTwo(options.mapSize));
@@ -103,16 +103,16 @@ void HeightMaps::drawBed(const Inputs& frame, ScenePainter& painter, gl::Uniform
     if (frame.options.plan.allows(RuleId::keepMaps) && !bed_.isStale(inputs, options)) return;
     const View bed = HeightsPass::view(inputs, HeightsPass::Part::bed);
     viewBlock.update(tarn::viewBlock(bed, size));
-    bed_.drawBed(bed, painter, inputs, options, stats);
+    bed_.drawBed(bed, sceneRenderer, inputs, options, stats);
     const View over = HeightsPass::view(inputs, HeightsPass::Part::over);
     viewBlock.update(tarn::viewBlock(over, size));
-    bed_.countSolid(over, painter, options, stats);
+    bed_.countSolid(over, sceneRenderer, options, stats);
     bed_.readHeights(inputs);
 }
 
 HeightMapPicture HeightMaps::picture(MapKind kind) const
 {
-    HeightMapPicture picture = kind == MapKind::bed ? bed_.picture() : afloat_.picture();
+    HeightMapPicture picture = kind == MapKind::bed ? bed_.picture() : aboveWater_.picture();
     picture.light = light_;
     return picture;
 }

@@ -5,7 +5,7 @@
 #include "gl/buffer.h"
 #include "plan/frame_plan.h"
 #include "render/passes/heights.h"
-#include "render/passes/heights_afloat.h"
+#include "render/passes/heights_above_water.h"
 #include "scene/scene.h"
 
 #include <set>
@@ -21,26 +21,26 @@ public:
         const Bounds& bounds; ///< of the scene, world
         const SunVolume& volume;
         const blocks::FrameBlock& light;
-        const PaintStyle& lit; ///< the sun's maps must be there for it
+        const SceneVariant& lit; ///< the sun's maps must be there for it
         const SceneMaps& given;
     };
 
-    void draw(const Inputs& inputs, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
+    void draw(const Inputs& inputs, SceneRenderer& sceneRenderer, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
               FrameStats::Pass& stats);
 
     const HeightsPass& bed() const { return bed_; }
-    const AfloatHeightsPass& afloat() const { return afloat_; }
+    const AboveWaterHeightsPass& aboveWater() const { return aboveWater_; }
     /// A map that is there, with the light that it was drawn in. Waits for the GPU.
     HeightMapPicture picture(MapKind kind) const;
 
 private:
-    void drawBed(const Inputs& inputs, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
+    void drawBed(const Inputs& inputs, SceneRenderer& sceneRenderer, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
                  FrameStats::Pass& stats);
-    void drawAfloat(const Inputs& inputs, ScenePainter& painter, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
-                    FrameStats::Pass& stats);
+    void drawAboveWater(const Inputs& inputs, SceneRenderer& sceneRenderer,
+                        gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameStats::Pass& stats);
 
     HeightsPass bed_;
-    AfloatHeightsPass afloat_;
+    AboveWaterHeightsPass aboveWater_;
     MapLight light_;              ///< of the last frame
     std::set<MapKind> saidOther_; ///< of which given maps it was said that they were made in another light
 };

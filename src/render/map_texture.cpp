@@ -4,7 +4,7 @@ namespace tarn {
 
 gl::Texture mapColour(const HeightMapPicture& picture, std::size_t colour, const char* label)
 {
-    gl::Texture texture({.format = gl::Format::rgba16f, .size = ivec2(picture.edge), .mipmaps = true}, label);
+    gl::Texture texture({.format = gl::Format::rgba16f, .size = ivec2(picture.resolution), .mipmaps = true}, label);
     texture.upload(picture.colours.at(colour), 3);
     texture.generateMipmaps();
     return texture;

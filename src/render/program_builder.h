@@ -33,7 +33,7 @@ public:
         std::optional<Rehearsal::View> view{};
     };
 
-    /// @param scene what options ask of it beside the drawing must be there (GpuScene::wantDetail and the like)
+    /// @param scene what options ask of it beside the drawing must be there (GpuScene::ensureDetail and the like)
     ProgramBuilder(std::unique_ptr<gl::Context> context, std::shared_ptr<GpuScene> scene);
     /// Waits for the program that is being built.
     ~ProgramBuilder();

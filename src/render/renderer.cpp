@@ -8,10 +8,10 @@
 #include "plan/refinement.h"
 #include "render/bed_detail.h"
 #include "render/bindings.h"
-#include "render/drawing.h"
+#include "render/frame_context.h"
 #include "render/frame_light.h"
+#include "render/gather_visibility.h"
 #include "render/height_maps.h"
-#include "render/look_around.h"
 #include "render/passes/accumulate.h"
 #include "render/passes/debug_copy.h"
 #include "render/passes/downsample.h"
@@ -25,7 +25,7 @@
 #include "render/passes/water.h"
 #include "render/passes/waterline.h"
 #include "render/read_back.h"
-#include "render/sun_stage.h"
+#include "render/sun_passes.h"
 #include "render/unrolled.h"
 #include "render/water_targets.h"
 
@@ -96,7 +96,7 @@ std::shared_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options
 struct Renderer::State {
     State(std::shared_ptr<GpuScene> uploaded, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p)
         : scene(uploaded->scene()), options(o), water(scene.water), shaders(library),
-          uploadedScene(std::move(uploaded)), painter(gpuScene, shaders), drawing(p, painter), sun(shaders),
+          uploadedScene(std::move(uploaded)), sceneRenderer(gpuScene, shaders), context(p, sceneRenderer), sun(shaders),
           waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
           accumulate(shaders), presentPass(shaders), fxaa(shaders), upscale(shaders), debugCopy(shaders),
           stereo(shaders)
@@ -108,8 +108,8 @@ struct Renderer::State {
     gl::ShaderLibrary& shaders;
     std::shared_ptr<GpuScene> uploadedScene;
     GpuScene& gpuScene = *uploadedScene;
-    ScenePainter painter;
-    Drawing drawing;
+    SceneRenderer sceneRenderer;
+    FrameContext context;
     Bounds bounds; ///< of the scene, world space
     std::vector<SceneBox> boxes = listBoxes(scene);
     float bedEdge = 0.0f;                      ///< m; of the triangles under water
@@ -122,7 +122,7 @@ struct Renderer::State {
         uniformBuffer<blocks::WavesBlock>(BlockIndex::waves, "waves block");
 
     gl::Target frame{"frame"};
-    SunStage sun;
+    SunPasses sun;
     HeightMaps heights;
     WaterTargets targets;
     ScenePass scenePass;
@@ -152,7 +152,7 @@ struct Renderer::State {
     // Of this frame, or of the eye that is being drawn.
     ivec2 drawnSize{1}; ///< of the frame, pixels
     View main;
-    Sight sight;
+    VisibilityFacts visibility;
     bool looksUpAnew = true; ///< maps and targets are not as the last frame left them
     bool isBelow = false;    ///< all of the picture begins under water
     bool isCrossing = false; ///< some of it does
@@ -165,9 +165,9 @@ struct Renderer::State {
     const gl::Target& displayed() const;
     const gl::Target& linear();
     void beginEye(const FrameInput& input, const Camera& head);
-    const FramePlan& plan() const { return drawing.plan(); }
+    const FramePlan& plan() const { return context.plan(); }
     void drawMaps(const Camera& head);
-    SunStage::Inputs sunInputs(const Camera& head) const;
+    SunPasses::Inputs sunInputs(const Camera& head) const;
     WaterTargets::Inputs targetInputs(const FrameInput& input) const;
     void drawWaterIfSeen(const FrameInput& input);
     void tellHidden(const Occlusion& occlusion);
@@ -196,20 +196,20 @@ Renderer::Renderer(std::shared_ptr<GpuScene> uploaded, const Options& options, g
     // Programs that the first frame would otherwise wait for: the variants of a sunlit scene, where there is a sun.
     const bool sunlit = scene.sun && scene.sun->direction.y > 0.0f;
     const bool watery = scene.water.present && options.water.enabled;
-    if (options.detail.pixels > 0.0f && allowsDetail(options)) state_->gpuScene.wantDetail(progress);
-    state_->painter.setWater(watery ? &scene.water : nullptr);
-    PaintStyle lit;
+    if (options.detail.pixels > 0.0f && allowsDetail(options)) state_->gpuScene.ensureDetail(progress);
+    state_->sceneRenderer.setWater(watery ? &scene.water : nullptr);
+    SceneVariant lit;
     lit.shadows = sunlit && options.sunlight.shadows;
     SunMaps maps;
     maps.taps = options.sunlight.taps;
-    state_->painter.setSunMaps(maps);
+    state_->sceneRenderer.setSunMaps(maps);
     lit.caustics = sunlit && watery && options.caustics.enabled;
     lit.dithersCutOuts = dithersCutOuts(options.frame);
-    PaintStyle main = lit;
+    SceneVariant main = lit;
     main.sunDisc = true;
     main.alphaToCoverage = options.frame.samples() > 1 && !lit.dithersCutOuts;
-    state_->painter.prepare(main);
-    if (watery) state_->painter.prepare(lit);
+    state_->sceneRenderer.prepare(main);
+    if (watery) state_->sceneRenderer.prepare(lit);
     state_->occlusionPass.prepare();
     state_->bedEdge = coarseEdgeUnderWater(scene, scene.water);
     state_->takeOptions(options, scene.water);
@@ -234,9 +234,9 @@ void Renderer::State::takeOptions(const Options& wanted, const WaterBody& body)
     if (!allowsDetail(options)) options.detail.pixels = 0.0f;
     water = body;
     if (wantsDepthComplexity(options) && !complexity) complexity = depthComplexity(scene, water);
-    if (dithersCutOuts(options.frame)) gpuScene.wantShares();
-    if (options.detail.pixels > 0.0f && gpuScene.wantDetail(nullptr))
-        painter.setWater(water.present ? &water : nullptr);
+    if (dithersCutOuts(options.frame)) gpuScene.ensureCoverage();
+    if (options.detail.pixels > 0.0f && gpuScene.ensureDetail(nullptr))
+        sceneRenderer.setWater(water.present ? &water : nullptr);
     if (options.refraction.camera != RefractionOptions::CameraMode::flat || bedEdge <= longestBedEdge) return;
     options.refraction.camera = RefractionOptions::CameraMode::snell;
     if (!std::exchange(saidCoarse, true))
@@ -249,25 +249,25 @@ gl::ShaderLibrary& Renderer::shaders() { return state_->shaders; }
 
 const Options& Renderer::options() const { return state_->options; }
 
-void Renderer::setChecking(bool checking) { state_->drawing.checking = checking; }
+void Renderer::setChecking(bool checking) { state_->context.checking = checking; }
 
-void Renderer::setWarmingUp(bool warmingUp) { state_->painter.setWarmingUp(warmingUp); }
+void Renderer::setWarmingUp(bool warmingUp) { state_->sceneRenderer.setWarmingUp(warmingUp); }
 
-const std::vector<BadPixels>& Renderer::badPixels() const { return state_->drawing.bad; }
+const std::vector<BadPixels>& Renderer::badPixels() const { return state_->context.bad; }
 
 const FrameStats& Renderer::render(const FrameInput& input)
 {
     if (input.size.x < 1 || input.size.y < 1)
         throw Error("a picture of {}x{} pixels cannot be rendered", input.size.x, input.size.y);
     State& s = *state_;
-    s.drawing.profiler.beginFrame();
-    s.drawing.stats.passes.clear();
-    s.drawing.bad.clear();
-    const Moment moment = momentOf(input, s.options, s.water, s.shaders.rebuilt());
-    if (s.drawing.kept.beginFrame(moment, s.options.plan, !s.drawing.checking)) {
-        s.drawing.stats.plan.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
-        s.drawing.profiler.endFrame();
-        return s.drawing.stats;
+    s.context.profiler.beginFrame();
+    s.context.stats.passes.clear();
+    s.context.bad.clear();
+    const FrameKey moment = frameKeyOf(input, s.options, s.water, s.shaders.rebuilt());
+    if (s.context.cache.beginFrame(moment, s.options.plan, !s.context.checking)) {
+        s.context.stats.plan.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
+        s.context.profiler.endFrame();
+        return s.context.stats;
     }
     s.beside = s.anaglyph = nullptr;
     s.sun.beginFrame();
@@ -277,12 +277,12 @@ const FrameStats& Renderer::render(const FrameInput& input)
         else
             s.drawEye(input, input.camera);
     } catch (...) {
-        s.drawing.kept.forget();
+        s.context.cache.forget();
         throw;
     }
-    s.drawing.kept.endFrame();
-    s.drawing.profiler.endFrame();
-    return s.drawing.stats;
+    s.context.cache.endFrame();
+    s.context.profiler.endFrame();
+    return s.context.stats;
 }
 
 /// @param head what does not depend on the eye is drawn for this camera
@@ -307,13 +307,13 @@ void Renderer::State::drawBothEyes(const FrameInput& input)
     for (const Eye eye : bothEyes) {
         const Camera camera = eyeCamera(input.camera, options.stereo, eye);
         drawEye({camera, input.time, input.size, input.view}, input.camera);
-        gl::PassScope scope(drawing.profiler, passName(PassId::present));
+        gl::PassScope scope(context.profiler, passName(PassId::present));
         stereo.take(eye, *shown, *display);
     }
     shown = &stereo.linear();
     beside = &stereo.display();
     if (options.stereo.output != StereoOptions::Output::anaglyph) return;
-    gl::PassScope scope(drawing.profiler, passName(PassId::present));
+    gl::PassScope scope(context.profiler, passName(PassId::present));
     anaglyph = &stereo.drawAnaglyph();
 }
 
@@ -326,16 +326,16 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     const int sample = options.stereo.isOn() || wantsRawValues(input.view) ? 0 : input.sample;
     // The samples of an edge's pixels look things up half a pixel beyond what is bounded for their middles.
     if (sample > 0) allowed.plan.rules[static_cast<std::size_t>(RuleId::targetBounds)] = false;
-    sight = lookAround(boxes, scene, water, input.camera, input.size, allowed, light);
+    visibility = gatherVisibility(boxes, scene, water, input.camera, input.size, allowed, light);
     hiddenBlocks.takeAnswers();
-    sight.waterWasHidden = hiddenBlocks.wereAllHidden() &&
-                           OcclusionPass::canAsk(waterBounds(water), input.camera.eye) && !drawing.checking &&
-                           !input.sameMoment;
-    const FramePlan before = std::move(drawing.stats.plan);
-    drawing.stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
-                                   complexity ? &*complexity : nullptr, &sight);
+    visibility.waterWasHidden = hiddenBlocks.wereAllHidden() &&
+                                OcclusionPass::canAsk(waterBounds(water), input.camera.eye) && !context.checking &&
+                                !input.sameMoment;
+    const FramePlan before = std::move(context.stats.plan);
+    context.stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
+                                   complexity ? &*complexity : nullptr, &visibility);
     // What the last frame left out, a debug view of the same moment may want to show.
-    looksUpAnew = !input.sameMoment || wantsMore(drawing.stats.plan, before);
+    looksUpAnew = !input.sameMoment || wantsMore(context.stats.plan, before);
     glow = nullptr;
     sideOfPixels = nullptr;
     isBelow = plan().side == WaterSide::below;
@@ -349,15 +349,15 @@ void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
     // How far off geometry may be. The maps of heights hold full detail: what marches through them goes closer.
     main.geometryError = geometryErrorOf(main, plan()[PassId::scene].size, options.detail.pixels);
     targets.begin(targetInputs(input), plan());
-    for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(drawing.stats.plan.waterGrid[axis]);
+    for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(context.stats.plan.waterGrid[axis]);
     frameBlock.update(light);
     waves = tarn::wavesBlock(water, input.time);
     wavesBlock.update(waves);
-    painter.setWater(light.hasWater > 0.5f ? &water : nullptr);
-    sun.begin(sunInputs(head), drawing.kept, looksUpAnew);
+    sceneRenderer.setWater(light.hasWater > 0.5f ? &water : nullptr);
+    sun.begin(sunInputs(head), context.cache, looksUpAnew);
 }
 
-SunStage::Inputs Renderer::State::sunInputs(const Camera& head) const
+SunPasses::Inputs Renderer::State::sunInputs(const Camera& head) const
 {
     return {plan(), options, water, bounds, head, light, waves};
 }
@@ -371,32 +371,32 @@ WaterTargets::Inputs Renderer::State::targetInputs(const FrameInput& input) cons
 /// What the scene and the water look up that does not depend on the eye, or little.
 void Renderer::State::drawMaps(const Camera& head)
 {
-    sun.draw(sunInputs(head), drawing);
+    sun.draw(sunInputs(head), context);
     if (plan()[PassId::heights].wanted) drawHeights();
-    drawing.kept.tell(drawing.stats.plan, RuleId::keepMaps);
+    context.cache.tell(context.stats.plan, RuleId::keepMaps);
 }
 
 /// In a frame that may hide the water, its own depth decides, on the GPU, whether anything is drawn here.
 void Renderer::State::drawWaterIfSeen(const FrameInput& input)
 {
-    const bool isAsked = drawing.stats.plan.rule(RuleId::waterHidden).applies;
+    const bool isAsked = context.stats.plan.rule(RuleId::waterHidden).applies;
     if (isAsked) {
-        gl::PassScope scope(drawing.profiler, passName(PassId::water));
-        drawing.viewBlock.update(tarn::viewBlock(main, drawnSize));
+        gl::PassScope scope(context.profiler, passName(PassId::water));
+        context.viewBlock.update(tarn::viewBlock(main, drawnSize));
         frame.bind();
         occlusionPass.ask(slab, waterBounds(water), main.eye);
     }
     std::optional<gl::VisibilityQuery::Condition> ifSeen;
     if (isAsked) ifSeen.emplace(slab);
-    if (looksUpAnew) targets.draw(targetInputs(input), sight, drawing);
+    if (looksUpAnew) targets.draw(targetInputs(input), visibility, context);
     if (plan()[PassId::water].wanted) drawWater(input);
-    if (isAsked) drawing.kept.forgetTargets(); // the GPU alone knows whether they were drawn
+    if (isAsked) context.cache.forgetTargets(); // the GPU alone knows whether they were drawn
 }
 
 /// Tells the plan what was left out by the frame's own depth, or might have been.
 void Renderer::State::tellHidden(const Occlusion& occlusion)
 {
-    RuleState& rule = drawing.stats.plan.rule(RuleId::cullHidden);
+    RuleState& rule = context.stats.plan.rule(RuleId::cullHidden);
     rule.applies = occlusion.asked > 0;
     rule.why = rule.applies
                    ? fmt::format("{} of {} blocks in view were hidden in the last frame: drawn only if this one's "
@@ -407,16 +407,16 @@ void Renderer::State::tellHidden(const Occlusion& occlusion)
 
 void Renderer::State::drawHeights()
 {
-    gl::PassScope scope(drawing.profiler, passName(PassId::heights));
-    FrameStats::Pass& pass = drawing.stats.of(passName(PassId::heights));
-    const HeightMaps::Inputs inputs{drawing.stats.plan, options, water,     bounds,
+    gl::PassScope scope(context.profiler, passName(PassId::heights));
+    FrameStats::Pass& pass = context.stats.of(passName(PassId::heights));
+    const HeightMaps::Inputs inputs{context.stats.plan, options, water,     bounds,
                                     sun.volume(),       light,   sun.lit(), scene.maps};
-    heights.draw(inputs, painter, drawing.viewBlock, pass);
+    heights.draw(inputs, sceneRenderer, context.viewBlock, pass);
 }
 
 void Renderer::State::drawScene(const FrameInput& input)
 {
-    gl::PassScope scope(drawing.profiler, passName(PassId::scene));
+    gl::PassScope scope(context.profiler, passName(PassId::scene));
     const bool raw = wantsRawValues(input.view);
     // A mean of raw values is none: a position between two others, a normal that is no longer of unit length.
     drawnSize = raw ? input.size : plan()[PassId::scene].size;
@@ -426,37 +426,37 @@ void Renderer::State::drawScene(const FrameInput& input)
                   .samples = raw ? 1 : options.frame.samples()});
 
     ScenePass::Inputs inputs{
-        .view = main, .style = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
+        .view = main, .variant = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
     if (isWaterView(input.view)) { // what hides the water is all that they need
-        inputs.style = PaintStyle{};
-        inputs.style.depthOnly = true;
+        inputs.variant = SceneVariant{};
+        inputs.variant.depthOnly = true;
     }
-    inputs.style.underwaterEye = isBelow;
-    inputs.style.sunDisc = !isBelow;
-    if (raw) inputs.style.dithersCutOuts = false; // no mean is taken
-    inputs.style.alphaToCoverage = frame.isMultisampled() && !inputs.style.dithersCutOuts;
-    inputs.style.depthFirst &= !frame.isMultisampled();
-    inputs.style.debugNormals = input.view == DebugView::normals;
-    inputs.style.sky = !raw;
+    inputs.variant.underwaterEye = isBelow;
+    inputs.variant.sunDisc = !isBelow;
+    if (raw) inputs.variant.dithersCutOuts = false; // no mean is taken
+    inputs.variant.alphaToCoverage = frame.isMultisampled() && !inputs.variant.dithersCutOuts;
+    inputs.variant.depthFirst &= !frame.isMultisampled();
+    inputs.variant.debugNormals = input.view == DebugView::normals;
+    inputs.variant.sky = !raw;
     if (plan()[PassId::water].wanted && plan().side == WaterSide::above && input.view != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
-    FrameStats::Pass& pass = drawing.beginPass(PassId::scene, main, drawnSize);
+    FrameStats::Pass& pass = context.beginPass(PassId::scene, main, drawnSize);
     if (isCrossing) sideOfPixels = &waterline.draw(main, drawnSize);
-    if (!inputs.style.depthOnly) inputs.style.waterline = sideOfPixels;
-    scenePass.draw(painter, frame, inputs, pass);
+    if (!inputs.variant.depthOnly) inputs.variant.waterline = sideOfPixels;
+    scenePass.draw(sceneRenderer, frame, inputs, pass);
     if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));
-    if (!raw) drawing.check(PassId::scene, frame);
+    if (!raw) context.check(PassId::scene, frame);
 }
 
 void Renderer::State::drawWater(const FrameInput& input)
 {
-    gl::PassScope scope(drawing.profiler, passName(PassId::water));
+    gl::PassScope scope(context.profiler, passName(PassId::water));
     const bool refracts = plan()[PassId::refraction].wanted;
     const bool reflects = plan()[PassId::reflection].wanted;
     const bool marchesBed = plan().raycastsBed, marchesMirror = plan().raycastsMirror;
     const WaterTargets::Side& side = targets.first();
     WaterPass::Inputs inputs{.bed = {},
-                             .afloat = marchesMirror ? &heights.afloat() : nullptr,
+                             .aboveWater = marchesMirror ? &heights.aboveWater() : nullptr,
                              .refraction = refracts && plan().targetsBed ? &side.refraction.target() : nullptr,
                              .refractionView = &side.refractionView,
                              .reflection = reflects && plan().targetsMirror ? &side.reflection.target() : nullptr,
@@ -468,7 +468,7 @@ void Renderer::State::drawWater(const FrameInput& input)
                              .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                              .underwater = isBelow,
                              .view = input.view};
-    if (marchesBed) inputs.bed.emplace(WaterPass::Bed{heights.bed(), painter.sunMaps(), sun.lit()});
+    if (marchesBed) inputs.bed.emplace(WaterPass::Bed{heights.bed(), sceneRenderer.sunMaps(), sun.lit()});
     if (isCrossing) inputs.waterline = sideOfPixels;
     const Bounds slabBounds = waterBounds(water);
     Occlusion occlusion{occlusionPass, hiddenBlocks};
@@ -477,13 +477,13 @@ void Renderer::State::drawWater(const FrameInput& input)
     const bool counts = (mayAsk || options.plan.allows(RuleId::waterHidden)) && !wantsRawValues(input.view);
     const bool culls = options.plan.allows(RuleId::cullChunks);
     if (!isCrossing && (culls || counts)) // a frame that shows both sides draws the surface twice, as it is
-        inputs.sight.emplace(
-            WaterGrid::Sight{main, plan().waterGrid, slabBounds, culls, counts ? &occlusion : nullptr});
-    FrameStats::Pass& pass = drawing.beginPass(PassId::water, main, drawnSize);
+        inputs.culling.emplace(
+            WaterGrid::Culling{main, plan().waterGrid, slabBounds, culls, counts ? &occlusion : nullptr});
+    FrameStats::Pass& pass = context.beginPass(PassId::water, main, drawnSize);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
     if (isCrossing) {
         inputs.bed.reset();
-        inputs.afloat = nullptr;
+        inputs.aboveWater = nullptr;
         const WaterTargets::Side& below = targets.below();
         if (refracts) inputs.refraction = &below.refraction.target();
         inputs.refractionView = &below.refractionView;
@@ -493,16 +493,16 @@ void Renderer::State::drawWater(const FrameInput& input)
         waterPass.draw(frame, waterGrid, options, inputs, pass);
     }
     if (mayAsk && counts) tellHidden(occlusion);
-    if (!wantsRawValues(input.view)) drawing.check(PassId::water, frame);
+    if (!wantsRawValues(input.view)) context.check(PassId::water, frame);
 }
 
 void Renderer::State::drawGlow(const FrameInput& input)
 {
     if (wantsRawValues(input.view)) return;
-    gl::PassScope scope(drawing.profiler, passName(PassId::glow));
+    gl::PassScope scope(context.profiler, passName(PassId::glow));
     frame.resolveDepth();
     const ivec2 size = plan()[PassId::glow].size;
-    FrameStats::Pass& pass = drawing.beginPass(PassId::glow, main, size);
+    FrameStats::Pass& pass = context.beginPass(PassId::glow, main, size);
     glow = &glowPass.draw(waterGrid, options,
                           {.sceneDepth = frame.depth(),
                            .size = size,
@@ -510,7 +510,7 @@ void Renderer::State::drawGlow(const FrameInput& input)
                            .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
                            .ifSeen = plan().rule(RuleId::waterHidden).applies ? &slab : nullptr},
                           pass);
-    drawing.check(PassId::glow, *glow);
+    context.check(PassId::glow, *glow);
 }
 
 /// What is presented: the frame, or in a debug view the target that it shows.
@@ -543,7 +543,7 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
 
 void Renderer::State::present(const FrameInput& input)
 {
-    gl::PassScope scope(drawing.profiler, passName(PassId::present));
+    gl::PassScope scope(context.profiler, passName(PassId::present));
     frame.resolveColour();
     if (input.view == DebugView::sceneDepth) frame.resolveDepth();
     shown = &selectShown(input);
@@ -554,7 +554,7 @@ void Renderer::State::present(const FrameInput& input)
     if (smooths) display = &fxaa.draw(display->colour());
     if (display->size() != input.size) display = &upscale.draw(display->colour(), input.size, options.frame.upscaler);
     presented = presentedSize(input.size, options.stereo.output);
-    drawing.check(PassId::present, *display);
+    context.check(PassId::present, *display);
 }
 
 const gl::Target& Renderer::State::displayed() const
@@ -599,7 +599,7 @@ const HeightField* Renderer::heightField() const
 
 std::optional<HeightMapPicture> Renderer::readMap(MapKind kind) const
 {
-    const FramePlan& plan = state_->drawing.stats.plan;
+    const FramePlan& plan = state_->context.stats.plan;
     if (!(kind == MapKind::bed ? plan.raycastsBed : plan.raycastsMirror)) return std::nullopt;
     return state_->heights.picture(kind);
 }

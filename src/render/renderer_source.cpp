@@ -5,7 +5,7 @@
 #include "plan/ladder.h"
 #include "render/gpu_scene.h"
 #include "render/program_builder.h"
-#include "render/sun_stage.h"
+#include "render/sun_passes.h"
 #include "render/warm_up.h"
 
 #include <utility>

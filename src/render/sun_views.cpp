@@ -69,9 +69,9 @@ SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& to
         if (toSun.y > 0.0f) {
             // Towards the sun, where the light that reaches the deepest bed crosses the level. A sun near the horizon
             // may not spread the map's texels without end.
-            const vec2 slant = glm::clamp(deepest / toSun.y * vec2(toSun.x, toSun.z), -water.extent, water.extent);
-            rect.centre += 0.5f * slant;
-            rect.halfExtent += 0.5f * glm::abs(slant);
+            const vec2 shear = glm::clamp(deepest / toSun.y * vec2(toSun.x, toSun.z), -water.extent, water.extent);
+            rect.centre += 0.5f * shear;
+            rect.halfExtent += 0.5f * glm::abs(shear);
         }
         volume.lowest = std::min(volume.lowest, water.level - 1.0f);
         volume.highest = std::max(volume.highest, water.level + 1.0f);
@@ -84,13 +84,13 @@ SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& to
     return volume;
 }
 
-View parallelView(const LevelRect& rect, float lowest, float highest, vec2 slant, float level)
+View parallelView(const LevelRect& rect, float lowest, float highest, vec2 shear, float level)
 {
-    // Rows of clipFromWorld: x - slant (y - level) and z likewise over the rectangle, heights from the top down.
+    // Rows of clipFromWorld: x - shear (y - level) and z likewise over the rectangle, heights from the top down.
     const vec2 half = rect.halfExtent;
     const float range = highest - lowest;
-    const vec4 rowX(1.0f / half.x, -slant.x / half.x, 0.0f, (slant.x * level - rect.centre.x) / half.x);
-    const vec4 rowY(0.0f, -slant.y / half.y, 1.0f / half.y, (slant.y * level - rect.centre.y) / half.y);
+    const vec4 rowX(1.0f / half.x, -shear.x / half.x, 0.0f, (shear.x * level - rect.centre.x) / half.x);
+    const vec4 rowY(0.0f, -shear.y / half.y, 1.0f / half.y, (shear.y * level - rect.centre.y) / half.y);
     const vec4 rowZ(0.0f, -2.0f / range, 0.0f, (highest + lowest) / range);
     View view;
     view.clipFromView = glm::transpose(mat4(rowX, rowY, rowZ, vec4(0.0f, 0.0f, 0.0f, 1.0f)));
@@ -103,14 +103,14 @@ View sunView(const SunVolume& volume, SunLayer layer, std::size_t cascade, const
 {
     const float level = water.level;
     const LevelRect& rect = volume.cascades.at(cascade);
-    View view = parallelView(rect, volume.lowest, volume.highest, optics::sunSlant(toSun), level);
+    View view = parallelView(rect, volume.lowest, volume.highest, optics::sunShear(toSun), level);
     view.eye = vec3(rect.centre.x, level, rect.centre.y) +
                2.0f * (volume.highest - volume.lowest + glm::length(rect.halfExtent)) * toSun;
     // The bed goes on a little above the level, so that the last photons before the shore find it there.
     constexpr float beach = 0.12f;
     if (hasWater)
         view.clipPlane =
-            layer == SunLayer::afloat ? vec4(0.0f, 1.0f, 0.0f, -level) : vec4(0.0f, -1.0f, 0.0f, level + beach);
+            layer == SunLayer::aboveWater ? vec4(0.0f, 1.0f, 0.0f, -level) : vec4(0.0f, -1.0f, 0.0f, level + beach);
     return view;
 }
 
@@ -142,8 +142,8 @@ CausticsRegion causticsRegion(const WaterBody& water, const Camera& camera, cons
     const vec2 wanted = vec2(camera.eye.x, camera.eye.z) + 0.4f * extent * vec2(forward.x, forward.z);
     // Both lattices, texels and photons, repeat after this many metres.
     const float step = extent / static_cast<float>(std::gcd(options.textureSize, options.photons));
-    constexpr float borderShare = 0.08f;
-    return {{{snapped(wanted.x, step), snapped(wanted.y, step)}, vec2(0.5f * extent)}, borderShare * extent};
+    constexpr float borderFraction = 0.08f;
+    return {{{snapped(wanted.x, step), snapped(wanted.y, step)}, vec2(0.5f * extent)}, borderFraction * extent};
 }
 
 float shadowBias(const SunVolume& volume, std::size_t cascade, const SunlightOptions& options)

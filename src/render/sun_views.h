@@ -31,17 +31,17 @@ struct SunVolume {
 SunVolume sunVolume(const WaterBody& water, const Bounds& bounds, const vec3& toSun, const SunlightOptions& options);
 
 /// Which half of the scene a shadow map holds.
-enum class SunLayer { afloat, submerged };
+enum class SunLayer { aboveWater, submerged };
 
-/// The parallel projection along the sun (afloat) or along the refracted sun (submerged). Depth 0 is the highest
+/// The parallel projection along the sun (above water) or along the refracted sun (submerged). Depth 0 is the highest
 /// height of the volume, 1 the lowest. toSun: in the layer's medium, unit, above the horizon.
-/// Without water all of the scene is afloat.
+/// Without water all of the scene is above water.
 View sunView(const SunVolume& volume, SunLayer layer, std::size_t cascade, const vec3& toSun, const WaterBody& water,
              bool hasWater);
 
-/// A parallel projection onto a rectangle at a level, along what moves by `slant` sideways for each metre up. Depth 0
+/// A parallel projection onto a rectangle at a level, along what moves by `shear` sideways for each metre up. Depth 0
 /// is at the highest height, 1 at the lowest; the map's rows run along +z.
-View parallelView(const LevelRect& rect, float lowest, float highest, vec2 slant, float level);
+View parallelView(const LevelRect& rect, float lowest, float highest, vec2 shear, float level);
 
 /// What the caustics texture covers: the whole water when that is small, else a square about what the eye sees of it,
 /// whose size has steps of √2 and whose place has steps of a texel, so that texels and photons keep their place on the

@@ -2,7 +2,7 @@
 //
 // A software rasteriser runs every loop once more than it counts, with all pixels masked out, and reads what a loop's
 // counter indexes lane by lane: written out, a sum over the waves takes a fraction of the time. Shaders compile no
-// branch for what a scene does not have. The price is a program for each count.
+// branch for what a scene does not have. The cost is a program for each count.
 #pragma once
 
 #include "gl/shader_source.h"

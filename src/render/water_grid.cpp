@@ -64,24 +64,24 @@ void WaterGrid::draw(int size, FrameStats::Pass& stats)
     ++stats.drawCalls;
 }
 
-std::vector<WaterGrid::SeenBlock> WaterGrid::seenBlocks(int size, const Sight& sight)
+std::vector<WaterGrid::SeenBlock> WaterGrid::seenBlocks(int size, const Culling& culling)
 {
     ensure(size);
-    if (sight.occlusion) sight.occlusion->parts.count(blocks_.size());
-    const auto place = [&](std::size_t axis, int line) {
-        return static_cast<float>(optics64::gridPlace(sight.lines[axis], static_cast<double>(line)));
+    if (culling.occlusion) culling.occlusion->parts.count(blocks_.size());
+    const auto position = [&](std::size_t axis, int line) {
+        return static_cast<float>(optics64::gridPosition(culling.lines[axis], static_cast<double>(line)));
     };
     constexpr float room = 1.0e-3f; // m, for rounding
     std::vector<SeenBlock> seen;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         const Block& block = blocks_[i];
         SeenBlock next{.index = i, .box = {}};
-        next.box.lower = vec3(place(0, block.lower.x), sight.slab.lower.y, place(1, block.lower.y)) - room;
-        next.box.upper = vec3(place(0, block.upper.x), sight.slab.upper.y, place(1, block.upper.y)) + room;
-        if (sight.cull && !mayShow(sight.view, WaterCover{}, next.box)) continue;
-        const vec3& eye = sight.view.eye;
+        next.box.lower = vec3(position(0, block.lower.x), culling.slab.lower.y, position(1, block.lower.y)) - room;
+        next.box.upper = vec3(position(0, block.upper.x), culling.slab.upper.y, position(1, block.upper.y)) + room;
+        if (culling.cull && !mayShow(culling.view, WaterCover{}, next.box)) continue;
+        const vec3& eye = culling.view.eye;
         next.distance = glm::distance(eye, glm::clamp(eye, next.box.lower, next.box.upper));
-        next.wasHidden = sight.occlusion && sight.occlusion->asks && sight.occlusion->parts.wasHidden(i) &&
+        next.wasHidden = culling.occlusion && culling.occlusion->asks && culling.occlusion->parts.wasHidden(i) &&
                          OcclusionPass::canAsk(next.box, eye);
         seen.push_back(next);
     }
@@ -91,13 +91,13 @@ std::vector<WaterGrid::SeenBlock> WaterGrid::seenBlocks(int size, const Sight& s
     return seen;
 }
 
-bool WaterGrid::askForHidden(const std::vector<SeenBlock>& seen, const Sight& sight) const
+bool WaterGrid::askForHidden(const std::vector<SeenBlock>& seen, const Culling& culling) const
 {
-    Occlusion& occlusion = *sight.occlusion;
+    Occlusion& occlusion = *culling.occlusion;
     std::size_t asked = 0;
     for (const SeenBlock& block : seen) {
         if (!block.wasHidden) continue;
-        occlusion.boxes.ask(occlusion.parts.asked(block.index), block.box, sight.view.eye);
+        occlusion.boxes.ask(occlusion.parts.asked(block.index), block.box, culling.view.eye);
         ++asked;
     }
     occlusion.drawn += seen.size();

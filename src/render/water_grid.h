@@ -19,7 +19,7 @@ public:
     /// Draws size x size vertices with the program in use (passes/water.vert, attribute 0).
     void draw(int size, FrameStats::Pass& stats);
 
-    struct Sight {
+    struct Culling {
         const View& view;
         const optics64::WaterGrid& lines; ///< where the vertices stand
         const Bounds& slab;               ///< that the surface moves in, world
@@ -28,11 +28,11 @@ public:
     };
     /// Draws the blocks that a view may see, nearest first. What asks for hidden ones changes program and state:
     /// `use` sets up those that draw the surface.
-    template <typename Use> void draw(int size, const Sight& sight, FrameStats::Pass& stats, const Use& use)
+    template <typename Use> void draw(int size, const Culling& culling, FrameStats::Pass& stats, const Use& use)
     {
-        const std::vector<SeenBlock> seen = seenBlocks(size, sight);
-        if (sight.occlusion && askForHidden(seen, sight)) use();
-        for (const SeenBlock& block : seen) drawBlock(block, sight.occlusion, stats);
+        const std::vector<SeenBlock> seen = seenBlocks(size, culling);
+        if (culling.occlusion && askForHidden(seen, culling)) use();
+        for (const SeenBlock& block : seen) drawBlock(block, culling.occlusion, stats);
     }
 
 private:
@@ -48,8 +48,8 @@ private:
     };
 
     void ensure(int size);
-    std::vector<SeenBlock> seenBlocks(int size, const Sight& sight);
-    bool askForHidden(const std::vector<SeenBlock>& seen, const Sight& sight) const;
+    std::vector<SeenBlock> seenBlocks(int size, const Culling& culling);
+    bool askForHidden(const std::vector<SeenBlock>& seen, const Culling& culling) const;
     void drawBlock(const SeenBlock& block, Occlusion* occlusion, FrameStats::Pass& stats);
 
     int size_ = 0;

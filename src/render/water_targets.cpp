@@ -24,67 +24,67 @@ WaterTargets::Views WaterTargets::viewsFor(const Inputs& inputs, bool underwater
                    options.reflection.targetSize)};
 }
 
-void WaterTargets::draw(const Inputs& inputs, const Sight& sight, Drawing& drawing)
+void WaterTargets::draw(const Inputs& inputs, const VisibilityFacts& visibility, FrameContext& context)
 {
-    const FramePlan& plan = drawing.plan();
+    const FramePlan& plan = context.plan();
     const auto keeps = [&](PassId pass, const View& view, bool receives) {
         const bool showsCaustics = plan.side != WaterSide::above || receives;
-        return drawing.kept.target(pass, inputs.camera, plan.side, view.lookedUp, inputs.lit.caustics, showsCaustics);
+        return context.cache.target(pass, inputs.camera, plan.side, view.lookedUp, inputs.lit.caustics, showsCaustics);
     };
     const auto isUsedAgain = [&](PassId pass) {
-        if (!plan[pass].wanted || !drawing.kept.isUsedAgain(pass, inputs.camera, plan.side)) return false;
-        drawing.stats.plan[pass].reason += fmt::format(" ({}.interval: an earlier frame's)", passName(pass));
+        if (!plan[pass].wanted || !context.cache.isUsedAgain(pass, inputs.camera, plan.side)) return false;
+        context.stats.plan[pass].reason += fmt::format(" ({}.interval: an earlier frame's)", passName(pass));
         return true;
     };
     if (!isUsedAgain(PassId::refraction)) {
         first_.refractionView = firstViews_.refraction;
         below_.refractionView = belowViews_.refraction;
         if (plan[PassId::refraction].wanted &&
-            !keeps(PassId::refraction, first_.refractionView, sight.refractionReceives))
-            drawRefraction(inputs, drawing);
+            !keeps(PassId::refraction, first_.refractionView, visibility.refractionReceives))
+            drawRefraction(inputs, context);
     }
     if (!isUsedAgain(PassId::reflection)) {
         first_.reflectionView = firstViews_.reflection;
         below_.reflectionView = belowViews_.reflection;
         if (plan[PassId::reflection].wanted &&
-            !keeps(PassId::reflection, first_.reflectionView, sight.reflectionReceives))
-            drawReflection(inputs, drawing);
+            !keeps(PassId::reflection, first_.reflectionView, visibility.reflectionReceives))
+            drawReflection(inputs, context);
     }
-    drawing.kept.tell(drawing.stats.plan, RuleId::keepTargets);
+    context.cache.tell(context.stats.plan, RuleId::keepTargets);
 }
 
-void WaterTargets::drawRefraction(const Inputs& frame, Drawing& drawing)
+void WaterTargets::drawRefraction(const Inputs& frame, FrameContext& context)
 {
-    gl::PassScope scope(drawing.profiler, passName(PassId::refraction));
-    const FramePlan& plan = drawing.plan();
+    gl::PassScope scope(context.profiler, passName(PassId::refraction));
+    const FramePlan& plan = context.plan();
     const auto draw = [&](Side& side, bool underwater) {
         FrameStats::Pass& pass =
-            drawing.beginPass(PassId::refraction, side.refractionView, plan[PassId::refraction].size);
+            context.beginPass(PassId::refraction, side.refractionView, plan[PassId::refraction].size);
         const RefractionPass::Inputs inputs{.view = side.refractionView,
                                             .underwater = underwater,
                                             .deepRadiance = frame.deepRadiance,
                                             .cull = frame.options.plan.allows(RuleId::cullChunks),
-                                            .style = frame.lit};
-        drawing.check(PassId::refraction,
-                      side.refraction.draw(drawing.painter, frame.options.refraction, inputs, pass));
+                                            .variant = frame.lit};
+        context.check(PassId::refraction,
+                      side.refraction.draw(context.sceneRenderer, frame.options.refraction, inputs, pass));
     };
     if (plan.targetsBed) draw(first_, plan.side == WaterSide::below);
     if (plan.side == WaterSide::crossing) draw(below_, true);
 }
 
-void WaterTargets::drawReflection(const Inputs& frame, Drawing& drawing)
+void WaterTargets::drawReflection(const Inputs& frame, FrameContext& context)
 {
-    gl::PassScope scope(drawing.profiler, passName(PassId::reflection));
-    const FramePlan& plan = drawing.plan();
+    gl::PassScope scope(context.profiler, passName(PassId::reflection));
+    const FramePlan& plan = context.plan();
     const auto draw = [&](Side& side, bool underwater) {
         FrameStats::Pass& pass =
-            drawing.beginPass(PassId::reflection, side.reflectionView, plan[PassId::reflection].size);
+            context.beginPass(PassId::reflection, side.reflectionView, plan[PassId::reflection].size);
         const ReflectionPass::Inputs inputs{.view = side.reflectionView,
                                             .underwater = underwater,
                                             .cull = frame.options.plan.allows(RuleId::cullChunks),
-                                            .style = frame.lit};
-        drawing.check(PassId::reflection,
-                      side.reflection.draw(drawing.painter, frame.options.reflection, inputs, pass));
+                                            .variant = frame.lit};
+        context.check(PassId::reflection,
+                      side.reflection.draw(context.sceneRenderer, frame.options.reflection, inputs, pass));
     };
     if (plan.targetsMirror) draw(first_, plan.side == WaterSide::below);
     if (plan.side == WaterSide::crossing) draw(below_, true);

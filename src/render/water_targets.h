@@ -2,7 +2,7 @@
 // a frame shows.
 #pragma once
 
-#include "render/drawing.h"
+#include "render/frame_context.h"
 #include "render/passes/reflection.h"
 #include "render/passes/refraction.h"
 
@@ -13,9 +13,9 @@ public:
     struct Inputs {
         const Options& options;
         const WaterBody& water;
-        const Camera& camera;  ///< of the eye that is drawn
-        float aspect = 1.0f;   ///< width / height of the picture
-        const PaintStyle& lit; ///< what of the sun's light the passes look up
+        const Camera& camera;    ///< of the eye that is drawn
+        float aspect = 1.0f;     ///< width / height of the picture
+        const SceneVariant& lit; ///< what of the sun's light the passes look up
         vec3 deepRadiance{0.0f};
     };
 
@@ -30,7 +30,7 @@ public:
     void begin(const Inputs& inputs, const FramePlan& plan);
 
     /// Draws what the plan wants and an earlier frame did not leave as it is.
-    void draw(const Inputs& inputs, const Sight& sight, Drawing& drawing);
+    void draw(const Inputs& inputs, const VisibilityFacts& visibility, FrameContext& context);
 
     /// Where one side is all that is shown, its; where both are, that of the air.
     const Side& first() const { return first_; }
@@ -43,8 +43,8 @@ private:
         View refraction, reflection;
     };
     Views viewsFor(const Inputs& inputs, bool underwater) const;
-    void drawRefraction(const Inputs& inputs, Drawing& drawing);
-    void drawReflection(const Inputs& inputs, Drawing& drawing);
+    void drawRefraction(const Inputs& inputs, FrameContext& context);
+    void drawReflection(const Inputs& inputs, FrameContext& context);
 
     Side first_, below_;
     Views firstViews_, belowViews_;

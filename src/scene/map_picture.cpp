@@ -19,13 +19,13 @@ constexpr float mostHeight = 1.0e6f;
 
 constexpr std::array bedChannels{"height",     "radiance.R", "radiance.G", "radiance.B",
                                  "response.R", "response.G", "response.B"};
-constexpr std::array afloatChannels{"underside", "top",     "seen",    "above.R", "above.G",
-                                    "above.B",   "below.R", "below.G", "below.B"};
+constexpr std::array aboveWaterChannels{"underside", "top",     "seen",    "above.R", "above.G",
+                                        "above.B",   "below.R", "below.G", "below.B"};
 
 std::span<const char* const> channelsOf(MapKind kind)
 {
     if (kind == MapKind::bed) return bedChannels;
-    return afloatChannels;
+    return aboveWaterChannels;
 }
 
 /// The channels before the colours.
@@ -97,13 +97,13 @@ void requireSound(const Image& image, const char* channel, bool isColour, float 
 
 void requireStanding(const HeightMapPicture& map)
 {
-    const auto edge = static_cast<std::size_t>(map.edge);
+    const auto edge = static_cast<std::size_t>(map.resolution);
     for (std::size_t i = 0; i < edge * edge; ++i) {
         const float underside = map.heights[3 * i], top = map.heights[3 * i + 1];
-        if (underside > 0.5f * nothingAfloat || underside <= top) continue;
+        if (underside > 0.5f * nothingAboveWater || underside <= top) continue;
         throw Error("{}: underside is {} and top {} at pixel ({}, {}); the top may not be the lower, and where nothing "
                     "stands they are {} and {}",
-                    map.file.string(), underside, top, i % edge, i / edge, nothingAfloat, -nothingAfloat);
+                    map.file.string(), underside, top, i % edge, i / edge, nothingAboveWater, -nothingAboveWater);
     }
 }
 
@@ -153,7 +153,7 @@ bool areSame(float a, float b) { return std::abs(a - b) <= 1.0e-4f; }
 
 } // namespace
 
-const char* mapName(MapKind kind) { return kind == MapKind::bed ? "bed" : "afloat"; }
+const char* mapName(MapKind kind) { return kind == MapKind::bed ? "bed" : "above_water"; }
 
 std::string MapLight::difference(const MapLight& other) const
 {
@@ -173,10 +173,10 @@ HeightMapPicture readMapPicture(const std::filesystem::path& file, MapKind kind)
     HeightMapPicture map;
     map.kind = kind;
     map.file = file;
-    map.edge = stored.image.width;
+    map.resolution = stored.image.width;
     takeValues(map, stored);
     takeHeader(map, stored);
-    if (kind == MapKind::afloat) requireStanding(map);
+    if (kind == MapKind::aboveWater) requireStanding(map);
     return map;
 }
 
@@ -187,7 +187,7 @@ void writeMapPicture(const std::filesystem::path& file, const HeightMapPicture& 
     const std::size_t heights = heightsOf(map.kind);
     Image image;
     image.name = file.string();
-    image.width = image.height = map.edge;
+    image.width = image.height = map.resolution;
     image.channels = static_cast<int>(channels.size());
     image.floats.reserve(image.size());
     const auto append = [&image](const std::vector<float>& values, std::size_t texel, std::size_t count) {

@@ -9,7 +9,8 @@
 //              and
 //                                         of what shines itself (what stands over the level has its sun in it)
 //              response.R, .G, .B         radiance for each unit of the sun's irradiance on a surface that faces it
-//     afloat   underside, top             of what stands over the water; 10000 and -10000 where nothing does, underside
+//     above_water  underside, top             of what stands over the water; 10000 and -10000 where nothing does,
+//     underside
 //                                         -10000 where it is solid down to the water
 //              seen                       height of what is seen from straight below; -10000 where nothing is
 //              above.R, .G, .B            radiance seen from straight above, and
@@ -31,13 +32,14 @@
 
 namespace tarn {
 
-enum class MapKind { bed, afloat };
+enum class MapKind { bed, aboveWater };
 
-/// "bed" or "afloat": of tables in scene files and of files.
+/// "bed" or "above_water": of tables in scene files and of files.
 const char* mapName(MapKind kind);
 
-/// Height of an underside where nothing stands; its negative where there is none (shaders/passes/afloat_march.glsl).
-inline constexpr float nothingAfloat = 1.0e4f;
+/// Height of an underside where nothing stands; its negative where there is none
+/// (shaders/passes/above_water_march.glsl).
+inline constexpr float nothingAboveWater = 1.0e4f;
 
 /// What a map's colours depend on: the bed's on the sun's direction alone, in its response, and on the sky.
 struct MapLight {
@@ -53,7 +55,7 @@ struct MapLight {
 struct HeightMapPicture {
     MapKind kind = MapKind::bed;
     std::filesystem::path file; ///< it came from; empty: drawn
-    int edge = 0;               ///< texels
+    int resolution = 0;         ///< texels
     vec2 centre{0.0f};          ///< x and z, m
     vec2 extent{0.0f};          ///< edge lengths, m; zero where the file does not say
     float lowest = 0.0f;        ///< of a bed: height where nothing lies, under all that does

@@ -173,11 +173,11 @@ private:
         Candidate best{impossible, place, none, stamp_[place]};
         gather(place);
         sortByPromise();
-        int looks = 3; // the best is nearly always among the first
+        int tries = 3; // the best is nearly always among the first
         for (const std::uint32_t into : around_) {
             const float cost = costOf(into, best.cost);
             if (cost < best.cost) best.cost = cost, best.into = into;
-            if (best.cost <= ignored_ || (best.into != none && --looks == 0)) break;
+            if (best.cost <= ignored_ || (best.into != none && --tries == 0)) break;
         }
         if (best.into == none) return;
         if (hasSeam_) best.cost = costOf(best.into, impossible); // the same but for rounding, and when asked for again

@@ -187,7 +187,7 @@ struct GivenMap {
 };
 
 struct SceneMaps {
-    GivenMap bed, afloat;
+    GivenMap bed, aboveWater;
 };
 
 struct Scene {

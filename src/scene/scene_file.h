@@ -53,8 +53,8 @@
 //     x, z of what it covers, and extent = [100, 100]            # edge lengths x, z (or one number), m, > 0: without
 //     it as the file's header says
 //
-//     [maps.afloat]                  # the same of what stands over the water
-//     file = "afloat.exr"
+//     [maps.above_water]                  # the same of what stands over the water
+//     file = "above_water.exr"
 //
 //     [[materials]]
 //     name = "checker"               # (!)

@@ -84,7 +84,7 @@ public:
         sky();
         water();
         map("[maps.bed]", scene_.maps.bed);
-        map("[maps.afloat]", scene_.maps.afloat);
+        map("[maps.above_water]", scene_.maps.aboveWater);
         materials();
         for (Model model : scene_.models) {
             model.file = rebased(model.file);

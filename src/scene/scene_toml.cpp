@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/fields.h"
+#include "base/log.h"
 #include "scene/scene_keys.h"
 #include "scene/table_reader.h"
 
@@ -202,16 +203,22 @@ private:
         if (!table) return;
         TableReader io = reader(*table, "maps");
         readMap(io, MapKind::bed, scene_.maps.bed);
-        readMap(io, MapKind::afloat, scene_.maps.afloat);
+        readMap(io, MapKind::aboveWater, scene_.maps.aboveWater);
         io.finish();
     }
 
     /// A scene without its maps would be another: nothing stands in for one that cannot be read.
     void readMap(TableReader& maps, MapKind kind, GivenMap& map)
     {
-        const auto* table = maps.subtable(mapName(kind));
+        std::string name = mapName(kind);
+        const auto* table = maps.subtable(name.c_str());
+        if (!table && kind == MapKind::aboveWater) { // an older name of it
+            table = maps.subtable("afloat");
+            if (table) log::warning("{}: maps.afloat is called maps.{} now", maps.place("afloat"), name);
+            if (table) name = "afloat";
+        }
         if (!table) return;
-        TableReader io = reader(*table, fmt::format("maps.{}", mapName(kind)));
+        TableReader io = reader(*table, "maps." + name);
         keys(io, map);
         io.finish();
         io.require({"file"});

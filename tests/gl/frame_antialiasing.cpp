@@ -3,7 +3,7 @@
 #include "gl_test.h"
 #include "optics/filters.h"
 #include "render/passes/fxaa.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -104,13 +104,13 @@ TEST(FrameAntialiasing, WithoutItOneSampleOfAPixelIsDrawn)
     camera.up = normalize(vec3(0.2f, 1.0f, 0.0f));
     Options options;
     options.frame.msaa = 1;
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     const auto draw = [&](FrameOptions::Antialiasing antialiasing, int samples) {
         options.frame.antialiasing = antialiasing;
         options.frame.msaa = samples;
-        stage.renderer.setOptions(options, scene.water);
-        stage.renderer.render({camera, 0.0, {80, 60}});
-        return std::pair(stage.renderer.readDisplay(), stage.renderer.readLinear());
+        test.renderer.setOptions(options, scene.water);
+        test.renderer.render({camera, 0.0, {80, 60}});
+        return std::pair(test.renderer.readDisplay(), test.renderer.readLinear());
     };
     const auto one = draw(FrameOptions::Antialiasing::msaa, 1), none = draw(FrameOptions::Antialiasing::none, 4);
     const auto fxaa = draw(FrameOptions::Antialiasing::fxaa, 4), four = draw(FrameOptions::Antialiasing::msaa, 4);

@@ -47,7 +47,7 @@ TEST(FrameBlocks, TheDriversOffsetsAreCpps)
          {"deepRadiance", offsetof(FrameBlock, deepRadiance)},
          {"lightCount", offsetof(FrameBlock, lightCount)},
          {"skyBelow", offsetof(FrameBlock, skyBelow)},
-         {"sunRoughness", offsetof(FrameBlock, sunRoughness)},
+         {"sunSlopeDeviation", offsetof(FrameBlock, sunSlopeDeviation)},
          {"waterRect", offsetof(FrameBlock, waterRect)},
          {"waterGrid[0].lower", offsetof(FrameBlock, waterGrid)},
          {"waterGrid[1].vertices", offsetof(FrameBlock, waterGrid) + sizeof(GridAxis) + offsetof(GridAxis, vertices)},

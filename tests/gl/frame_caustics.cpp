@@ -1,6 +1,6 @@
 // The caustics texture: its units, its energy, its four methods against each other, and where light gathers.
 #include "gl_test.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "optics/optics.h"
@@ -50,7 +50,8 @@ Camera eyeOverThePool()
 std::vector<float> texture(const Scene& scene, const Options& options, double time = 0.0)
 {
     const int edge = options.caustics.textureSize;
-    const Image image = Studio(scene, options).linear(eyeOverThePool(), {edge, edge}, time, DebugView::caustics);
+    const Image image =
+        CheckedRenderer(scene, options).linear(eyeOverThePool(), {edge, edge}, time, DebugView::caustics);
     std::vector<float> rows;
     for (int y = edge - 1; y >= 0; --y) {
         const auto row = image.floats.begin() + static_cast<std::ptrdiff_t>(y) * edge * 4;
@@ -78,7 +79,7 @@ public:
     Ray from(const glm::dvec2& plane) const
     {
         glm::dvec2 x = plane; // on the ray, at the waves' height: a contraction for slopes like these
-        for (int k = 0; k < 30; ++k) x = plane + optics64::sunSlant(toSun_) * optics64::waveHeight(terms_, x, 0.0);
+        for (int k = 0; k < 30; ++k) x = plane + optics64::sunShear(toSun_) * optics64::waveHeight(terms_, x, 0.0);
         const glm::dvec3 normal = optics64::waveNormalAt(terms_, x, 0.0);
         const double cosine = std::max(glm::dot(normal, toSun_), 0.0);
         return {{x.x, optics64::waveHeight(terms_, x, 0.0), x.y},
@@ -176,7 +177,7 @@ TEST(FrameCaustics, WhatLeavesTheTextureIsAllThatIsMissing)
             const Ray ray = rays.from(glm::dvec2(region.rect.centre) + lattice);
             const glm::dvec3 hit = ray.surface + ray.refracted * ((-2.0 - ray.surface.y) / ray.refracted.y);
             const glm::dvec2 place =
-                optics64::sunPlane(hit, 0.0, optics64::sunSlant(toSunBelow)) - glm::dvec2(region.rect.centre);
+                optics64::sunPlane(hit, 0.0, optics64::sunShear(toSunBelow)) - glm::dvec2(region.rect.centre);
             const double light = ray.transmittance * 4.0 / (edge * edge);
             entered += light;
             if (std::max(std::abs(place.x), std::abs(place.y)) <= 1.0) stayed += light;

@@ -1,6 +1,6 @@
 // Whole frames of scenes whose picture a formula gives.
 #include "gl_test.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "optics/optics.h"
@@ -74,8 +74,8 @@ TEST_P(SnellLookup, LandsWithinATexelOfSnell)
     Options options;
     options.refraction.steps = 8;
     options.refraction.camera = GetParam().camera;
-    Studio studio(scene, options);
-    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::positionW);
+    CheckedRenderer renderer(scene, options);
+    const Image image = renderer.linear(camera, pictureSize, 0.0, DebugView::positionW);
     const float aspect = static_cast<float>(pictureSize.x) / static_cast<float>(pictureSize.y);
     const mat4 clipFromWorld = refractionView(camera, aspect, scene.water, options, false).clipFromWorld();
     const int size = options.refraction.targetSize;
@@ -121,11 +121,12 @@ INSTANTIATE_TEST_SUITE_P(Angles, SnellLookup,
                          });
 
 // The picture's F is the formula's, from straight down to the horizon.
-void expectFresnel(Studio& studio, const std::function<double(double cosine)>& formula, double tolerance = 2.0e-6)
+void expectFresnel(CheckedRenderer& renderer, const std::function<double(double cosine)>& formula,
+                   double tolerance = 2.0e-6)
 {
     for (const float degrees : {0.0f, 30.0f, 60.0f, 80.0f}) {
         const Camera camera = lookDown(degrees);
-        const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::fresnel);
+        const Image image = renderer.linear(camera, pictureSize, 0.0, DebugView::fresnel);
         double worst = 0.0;
         int water = 0;
         for (int y = 0; y < pictureSize.y; ++y) {
@@ -147,8 +148,8 @@ void expectFresnel(Studio& studio, const std::function<double(double cosine)>& f
 TEST(FrameClosedForm, FresnelIsExact)
 {
     const Scene scene = flatLake(2.0f);
-    Studio studio(scene);
-    expectFresnel(studio, [](double c) { return optics64::fresnelExact(c, 1.0 / 1.33); });
+    CheckedRenderer renderer(scene);
+    expectFresnel(renderer, [](double c) { return optics64::fresnelExact(c, 1.0 / 1.33); });
 }
 
 TEST(FrameClosedForm, FresnelIsSchlicksWhereThatIsAskedFor)
@@ -156,8 +157,8 @@ TEST(FrameClosedForm, FresnelIsSchlicksWhereThatIsAskedFor)
     const Scene scene = flatLake(2.0f);
     Options options;
     options.water.fresnel = WaterOptions::Fresnel::schlick;
-    Studio studio(scene, options);
-    expectFresnel(studio, [](double c) { return optics64::fresnelSchlick(c, 1.33, 5.0); });
+    CheckedRenderer renderer(scene, options);
+    expectFresnel(renderer, [](double c) { return optics64::fresnelSchlick(c, 1.33, 5.0); });
 }
 
 // The table's own error is that of tests/unit/optics_fresnel_table.cpp; it follows size, filter and index of
@@ -167,7 +168,7 @@ TEST(FrameClosedForm, FresnelIsTheTablesWhereThatIsAskedFor)
     const Scene scene = flatLake(2.0f);
     Options options;
     options.water.fresnel = WaterOptions::Fresnel::table;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     for (const float ior : {1.33f, 1.5f})
         for (const int size : {64, 1024})
             for (const optics::TableFilter filter : {optics::TableFilter::linear, optics::TableFilter::nearest}) {
@@ -175,20 +176,20 @@ TEST(FrameClosedForm, FresnelIsTheTablesWhereThatIsAskedFor)
                 options.water.fresnelFilter = filter;
                 WaterBody water = scene.water;
                 water.ior = ior;
-                studio.setOptions(options, water);
+                renderer.setOptions(options, water);
                 const double n = static_cast<double>(ior);
                 if (filter == optics::TableFilter::linear) {
                     // Graphics cards blend by weights of 8 bits: up to 1/512 of the step between two texels.
                     const optics::FresnelTable table = optics::makeFresnelTable(ior, size, filter);
                     const double step = 2.0 * (1.0 + n * n) / std::sqrt(n * n - 1.0) / (size - 1);
                     expectFresnel(
-                        studio, [&table](double c) { return static_cast<double>(table.at(static_cast<float>(c)).y); },
+                        renderer, [&table](double c) { return static_cast<double>(table.at(static_cast<float>(c)).y); },
                         step / 512.0 + 2.0e-6);
                 } else {
                     // At a texel's edge rounding chooses between two.
                     const double half = (1.0 + n * n) / (size * std::sqrt(n * n - 1.0));
                     expectFresnel(
-                        studio, [n](double c) { return optics64::fresnelExact(c, 1.0 / n); }, half + 2.0e-6);
+                        renderer, [n](double c) { return optics64::fresnelExact(c, 1.0 / n); }, half + 2.0e-6);
                 }
             }
 }
@@ -200,8 +201,8 @@ TEST(FrameClosedForm, RadianceOfTheBedIsDividedByTheSquareOfTheIndex)
     const Scene scene = flatLake(2.0f);
     Options options;
     options.frame.msaa = 1;
-    Studio studio(scene, options);
-    const Image image = studio.linear(lookDown(0.0f), pictureSize);
+    CheckedRenderer renderer(scene, options);
+    const Image image = renderer.linear(lookDown(0.0f), pictureSize);
     const double f = optics64::fresnelSchlick(1.0, 1.33, 5.0);
     const double irradianceBelow = std::numbers::pi * 0.934; // of the uniform sky, under the surface
     const double bed = 0.5 / std::numbers::pi * irradianceBelow;
@@ -225,8 +226,8 @@ TEST(FrameClosedForm, SunlightIsAbsorbedOnItsWayDownAndUp)
     scene.water.absorption = vec3(0.3f, 0.1f, 0.0f);
     Options options;
     options.frame.msaa = 1;
-    Studio studio(scene, options);
-    const vec4 centre = pixel(studio.linear(lookDown(0.0f), pictureSize), pictureSize.x / 2, pictureSize.y / 2);
+    CheckedRenderer renderer(scene, options);
+    const vec4 centre = pixel(renderer.linear(lookDown(0.0f), pictureSize), pictureSize.x / 2, pictureSize.y / 2);
 
     const double cosAir = sun.direction.y;
     const double cosWater = std::sqrt(1.0 - (1.0 - cosAir * cosAir) / (1.33 * 1.33));
@@ -260,8 +261,8 @@ TEST(FrameClosedForm, ALeafPassesLightOn)
         scene.materials[0].transmission = transmission;
         Options options;
         options.frame.msaa = 1;
-        Studio studio(scene, options);
-        const vec4 centre = pixel(studio.linear(camera, pictureSize), pictureSize.x / 2, pictureSize.y / 2);
+        CheckedRenderer renderer(scene, options);
+        const vec4 centre = pixel(renderer.linear(camera, pictureSize), pictureSize.x / 2, pictureSize.y / 2);
         for (int c = 0; c < 3; ++c) {
             const double passed = static_cast<double>(scene.materials[0].diffuse[c] * transmission[c]);
             const double expected = passed / std::numbers::pi * 10.0 * 2.0 / std::sqrt(5.0);
@@ -276,8 +277,8 @@ TEST(FrameClosedForm, NoWaterWhereThereIsNone)
     Scene scene = flatLake(2.0f);
     addBox(scene, {-0.3f, -2.0f, -0.3f}, {0.3f, 0.5f, 0.3f}, addMaterial(scene, vec3(0.2f)));
     const Camera camera = lookDown(0.0f);
-    Studio studio(scene);
-    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::pathLength);
+    CheckedRenderer renderer(scene);
+    const Image image = renderer.linear(camera, pictureSize, 0.0, DebugView::pathLength);
     int wrong = 0;
     for (int y = 0; y < pictureSize.y; ++y) {
         for (int x = 0; x < pictureSize.x; ++x) {
@@ -293,7 +294,7 @@ TEST(FrameClosedForm, NoWaterWhereThereIsNone)
     EXPECT_EQ(wrong, 0);
 
     scene.water.present = false;
-    Studio dry(scene);
+    CheckedRenderer dry(scene);
     dry.linear(camera, pictureSize);
     EXPECT_FALSE(dry.stats.plan[PassId::water].wanted);
     EXPECT_FALSE(dry.stats.plan[PassId::refraction].wanted);
@@ -317,8 +318,8 @@ TEST(FrameClosedForm, ReflectionContinuesAPost)
     options.frame.msaa = 1;
     options.refraction.enabled = false;
     options.reflection.targetSize = 1024;
-    Studio studio(scene, options);
-    const Image image = studio.linear(camera, pictureSize);
+    CheckedRenderer renderer(scene, options);
+    const Image image = renderer.linear(camera, pictureSize);
 
     const float aspect = static_cast<float>(pictureSize.x) / static_cast<float>(pictureSize.y);
     const mat4 clipFromWorld = clipFromView(camera, aspect) * viewFromWorld(camera);

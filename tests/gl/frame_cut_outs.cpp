@@ -1,6 +1,6 @@
-// Foliage as the mean of many pixels sees it: a layer covers its share, and layers behind each other multiply.
+// Foliage as the mean of many pixels sees it: a layer covers its fraction, and layers behind each other multiply.
 #include "gl/shader_library.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr ivec2 pictureSize(64, 64);
 
-/// White ground under black layers, each of which lets the dots of one picture stand: its share of texels is there.
-Scene layersOver(int layers, double share)
+/// White ground under black layers, each of which lets the dots of one picture stand: its fraction of texels is there.
+Scene layersOver(int layers, double fraction)
 {
     Scene scene;
     scene.sky.kind = Sky::Kind::constant;
@@ -30,7 +30,7 @@ Scene layersOver(int layers, double share)
     constexpr int edge = 128;
     Image dots{"dots", edge, edge, 4, std::vector<std::uint8_t>(edge * edge * 4, 0), {}};
     std::mt19937 random(7);
-    std::bernoulli_distribution isThere(share);
+    std::bernoulli_distribution isThere(fraction);
     for (std::size_t i = 3; i < dots.bytes.size(); i += 4) dots.bytes[i] = isThere(random) ? 255 : 0;
     scene.images.push_back(dots);
     const auto leaf = static_cast<std::size_t>(addMaterial(scene, vec3(0.0f)));
@@ -48,8 +48,8 @@ double meanThrough(const Scene& scene, const Options& options)
     camera.target = vec3(0.0f, 0.0f, -0.001f);
     camera.verticalFov = glm::radians(40.0f); // a pixel is half a metre, 60 texels
     camera.farPlane = 100.0f;
-    Studio studio(scene, options);
-    const Image image = studio.linear(camera, pictureSize);
+    CheckedRenderer renderer(scene, options);
+    const Image image = renderer.linear(camera, pictureSize);
     double sum = 0.0;
     for (int y = 0; y < pictureSize.y; ++y)
         for (int x = 0; x < pictureSize.x; ++x) sum += static_cast<double>(pixel(image, x, y).x);
@@ -60,17 +60,17 @@ double meanThrough(const Scene& scene, const Options& options)
 
 TEST(FrameCutOuts, LayersCoverTheirSharesOneByOne)
 {
-    for (const double share : {0.2, 0.7}) {
+    for (const double fraction : {0.2, 0.7}) {
         for (int layers = 1; layers <= 3; ++layers) {
-            const Scene scene = layersOver(layers, share);
-            const double expected = std::pow(1.0 - share, layers);
+            const Scene scene = layersOver(layers, fraction);
+            const double expected = std::pow(1.0 - fraction, layers);
             for (const int supersampling : {2, 4}) {
                 for (const int msaa : {1, 4}) {
                     Options options;
                     options.frame.msaa = msaa;
                     options.frame.scale = static_cast<float>(supersampling);
                     EXPECT_NEAR(meanThrough(scene, options), expected, 0.015)
-                        << share << ' ' << layers << ' ' << supersampling << ' ' << msaa;
+                        << fraction << ' ' << layers << ' ' << supersampling << ' ' << msaa;
                 }
             }
         }
@@ -107,14 +107,14 @@ TEST(FrameCutOuts, AreDrawnAlikeWhenTheSceneHasReleasedItsTexels)
             dots.bytes.resize(dots.size());
         }
         Scene released = whole;
-        Studio expected(whole, one), studio(released, one);
+        CheckedRenderer expected(whole, one), renderer(released, one);
         releaseTexels(released);
-        EXPECT_EQ(studio.linear(camera, pictureSize).floats, expected.linear(camera, pictureSize).floats);
+        EXPECT_EQ(renderer.linear(camera, pictureSize).floats, expected.linear(camera, pictureSize).floats);
         expected.setOptions(four, whole.water);
-        studio.setOptions(four, released.water);
-        const std::vector<float> shares = studio.linear(camera, pictureSize).floats;
+        renderer.setOptions(four, released.water);
+        const std::vector<float> shares = renderer.linear(camera, pictureSize).floats;
         EXPECT_EQ(shares, expected.linear(camera, pictureSize).floats);
-        Studio anew(whole, four);
+        CheckedRenderer anew(whole, four);
         EXPECT_EQ(shares, anew.linear(camera, pictureSize).floats);
     }
 }

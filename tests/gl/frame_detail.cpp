@@ -1,6 +1,6 @@
 // A frame with levels of detail is the frame without them, for fewer triangles.
 #include "gl/shader_library.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <algorithm>
@@ -53,14 +53,14 @@ TEST(Detail, DrawsTheSamePictureWithFewerTriangles)
     const Scene scene = hills();
     Options options;
     options.detail.pixels = 0.5f;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     const Camera camera = towardsHills(40.0f);
-    const Image coarse = studio.linear(camera, size);
-    const std::size_t few = sceneTriangles(studio.stats);
+    const Image coarse = renderer.linear(camera, size);
+    const std::size_t few = sceneTriangles(renderer.stats);
     options.detail.pixels = 0.0f;
-    studio.setOptions(options, scene.water);
-    const Image full = studio.linear(camera, size);
-    const std::size_t many = sceneTriangles(studio.stats);
+    renderer.setOptions(options, scene.water);
+    const Image full = renderer.linear(camera, size);
+    const std::size_t many = sceneTriangles(renderer.stats);
     EXPECT_LT(few, many / 3);
 
     double sum = 0.0, brightness = 0.0;
@@ -81,14 +81,14 @@ TEST(Detail, IsFullWhereTheEyeIsNear)
     const Scene scene = hills();
     Options options;
     options.detail.pixels = 0.5f;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     const Camera camera = towardsHills(-65.0f);
-    studio.linear(camera, size);
-    const std::size_t few = sceneTriangles(studio.stats);
+    renderer.linear(camera, size);
+    const std::size_t few = sceneTriangles(renderer.stats);
     options.detail.pixels = 0.0f;
-    studio.setOptions(options, scene.water);
-    studio.linear(camera, size);
-    EXPECT_GT(few, sceneTriangles(studio.stats) / 3);
+    renderer.setOptions(options, scene.water);
+    renderer.linear(camera, size);
+    EXPECT_GT(few, sceneTriangles(renderer.stats) / 3);
 }
 
 TEST(Detail, OfNoPixelsIsTheFrameOfARendererThatNeverHadLevels)
@@ -96,13 +96,13 @@ TEST(Detail, OfNoPixelsIsTheFrameOfARendererThatNeverHadLevels)
     const Scene scene = hills();
     Options options;
     options.detail.pixels = 0.5f;
-    Studio had(scene, options);
+    CheckedRenderer had(scene, options);
     const Camera camera = towardsHills(40.0f);
     had.linear(camera, size);
     options.detail.pixels = 0.0f;
     had.setOptions(options, scene.water);
     const Image after = had.linear(camera, size);
-    Studio never(scene, options);
+    CheckedRenderer never(scene, options);
     EXPECT_EQ(after.floats, never.linear(camera, size).floats);
 }
 

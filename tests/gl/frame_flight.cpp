@@ -7,7 +7,7 @@
 #include "measure/image_compare.h"
 #include "scene/flight.h"
 #include "scene/scene_file.h"
-#include "studio.h"
+#include "test_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -44,10 +44,10 @@ Image changedBy(const Image& picture, const Image& from, const Image& to)
 /// goldens allow.
 std::array<int, ruleCount> fly(const Scene& scene, Options options)
 {
-    Stage planned(scene, options);
+    TestRenderer planned(scene, options);
     options.plan.enabled = false;
     options.detail.pixels = 0.0f;
-    Stage full(scene, options);
+    TestRenderer full(scene, options);
     std::array<int, ruleCount> applied{};
     Image plannedBefore, fullBefore;
     for (int i = 0; i < frames; ++i) {

@@ -1,7 +1,7 @@
 // Maps of heights that are given as pictures: as good as the drawn ones, and, made up, met where formulas say.
 #include "raycast_frames.h"
-#include "studio.h"
 #include "temp_folder.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "base/log.h"
@@ -72,22 +72,22 @@ TEST(GivenMaps, ShowWhatTheDrawnOnesShow)
     const TempFolder folder;
     Scene given = furnishedPool();
     {
-        Stage stage(drawn, bothRaycast());
-        stage.renderer.render({camera, 0.3, pictureSize});
+        TestRenderer test(drawn, bothRaycast());
+        test.renderer.render({camera, 0.3, pictureSize});
         const auto passOn = [&](MapKind kind, GivenMap& map) {
             const auto file = folder.path() / (std::string(mapName(kind)) + ".exr");
-            writeMapPicture(file, stage.renderer.readMap(kind).value());
+            writeMapPicture(file, test.renderer.readMap(kind).value());
             map.file = file;
             map.picture = readMapPicture(file, kind);
         };
         passOn(MapKind::bed, given.maps.bed);
-        passOn(MapKind::afloat, given.maps.afloat);
+        passOn(MapKind::aboveWater, given.maps.aboveWater);
     }
-    EXPECT_EQ(given.maps.bed.picture->edge, 256);
+    EXPECT_EQ(given.maps.bed.picture->resolution, 256);
     EXPECT_EQ(given.maps.bed.picture->extent, vec2(10.0f)) << "the water and heights.border";
     const log::Capture log;
     for (const auto march : {HeightsOptions::March::pyramid, HeightsOptions::March::classic}) {
-        Stage a(drawn, bothRaycast(march)), b(given, bothRaycast(march));
+        TestRenderer a(drawn, bothRaycast(march)), b(given, bothRaycast(march));
         for (const double time : {0.3, 0.8}) {
             EXPECT_EQ(trianglesOfMaps(a.renderer.render({camera, time, pictureSize})) > 0, time < 0.5);
             EXPECT_EQ(trianglesOfMaps(b.renderer.render({camera, time, pictureSize})), 0u) << "they are not drawn";
@@ -106,7 +106,7 @@ HeightMapPicture bedMap(int edge, float extent, const std::function<float(float 
                         float response = 0.0f)
 {
     HeightMapPicture map;
-    map.edge = edge;
+    map.resolution = edge;
     map.extent = vec2(extent);
     map.lowest = -10.0f;
     for (int j = 0; j < edge; ++j)
@@ -126,9 +126,9 @@ HeightMapPicture bedMap(int edge, float extent, const std::function<float(float 
 double worstError(const Scene& scene, const Options& options, const Camera& camera, DebugView view,
                   const std::function<dvec3(const dvec3& u, const dvec3& eyeRay)>& exact, int& known)
 {
-    Studio studio(scene, options);
-    const Image surface = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
-    const Image image = studio.linear(camera, pictureSize, 0.0, view);
+    CheckedRenderer renderer(scene, options);
+    const Image surface = renderer.linear(camera, pictureSize, 0.0, DebugView::positionU);
+    const Image image = renderer.linear(camera, pictureSize, 0.0, view);
     double worst = 0.0;
     known = 0;
     for (int y = 0; y < pictureSize.y; ++y)
@@ -210,13 +210,13 @@ TEST(GivenMaps, WhatStandsOverTheWaterIsMirroredWhereItIs)
 {
     Scene scene = flatLake(1.0f, 8.0f);
     HeightMapPicture map;
-    map.kind = MapKind::afloat;
-    map.edge = 64;
+    map.kind = MapKind::aboveWater;
+    map.resolution = 64;
     map.extent = vec2(40.0f);
     for (int i = 0; i < 64 * 64; ++i) map.heights.insert(map.heights.end(), {1.0f, 1.5f, 1.0f});
     map.colours[0].assign(3 * 64 * 64, 0.0f);
     map.colours[1].assign(3 * 64 * 64, 5.0f);
-    scene.maps.afloat.picture = map;
+    scene.maps.aboveWater.picture = map;
     int known = 0;
     const double worst = worstError(
         scene, bothRaycast(), over({0, 0.8f, 4}, {0, -0.4f, 0}), DebugView::reflectionHit,
@@ -243,8 +243,8 @@ TEST(GivenMaps, TheBedFollowsTheSunsStrength)
     const Camera camera = over({0, 2.5f, 0.1f}, {0, -1, 0});
     const auto middle = [&](float irradiance) {
         scene.sun = sunAt({0.6f, 1.0f, 0.0f}, irradiance);
-        Studio studio(scene, options);
-        return static_cast<double>(pixel(studio.linear(camera, pictureSize), 80, 60).x);
+        CheckedRenderer renderer(scene, options);
+        return static_cast<double>(pixel(renderer.linear(camera, pictureSize), 80, 60).x);
     };
     const double once = middle(1.0f);
     const double sun =
@@ -260,16 +260,16 @@ TEST(GivenMaps, AnotherLightIsSaidOnce)
     const Camera camera = over({0.2f, 1.4f, 3.2f}, {0, -0.4f, -0.2f});
     HeightMapPicture map;
     {
-        Stage stage(scene, bothRaycast());
-        stage.renderer.render({camera, 0.0, pictureSize});
-        map = stage.renderer.readMap(MapKind::bed).value();
+        TestRenderer test(scene, bothRaycast());
+        test.renderer.render({camera, 0.0, pictureSize});
+        map = test.renderer.readMap(MapKind::bed).value();
     }
     map.file = "bed.exr";
     scene.maps.bed.picture = map;
     scene.sun = sunAt({-0.4f, 1.0f, 0.3f}, 3.0f);
     const log::Capture log;
-    Stage stage(scene, bothRaycast());
-    for (const double time : {0.0, 0.1}) stage.renderer.render({camera, time, pictureSize});
+    TestRenderer test(scene, bothRaycast());
+    for (const double time : {0.0, 0.1}) test.renderer.render({camera, time, pictureSize});
     ASSERT_EQ(warnings(log).size(), 1u);
     EXPECT_TRUE(warnings(log)[0].starts_with("bed.exr: the sun changed since this map was made"));
 }

@@ -5,7 +5,7 @@
 #include "plan/ladder.h"
 #include "plan/refinement.h"
 #include "render/warm_up.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <fmt/format.h>
@@ -40,9 +40,9 @@ TEST(FrameGovernor, SizesAndNumbersNeedNoProgramsOfTheirOwn)
 {
     const Scene scene = rippledLake();
     const Options base = small();
-    Stage stage(scene, base);
-    warmUp(stage.renderer, scene.water);
-    const std::size_t before = stage.shaders->built();
+    TestRenderer test(scene, base);
+    warmUp(test.renderer, scene.water);
+    const std::size_t before = test.shaders->built();
     int tried = 0;
     Options listed = base;
     for (const FieldRow& row : listFields([&](FieldVisitor& visitor) { visit(visitor, listed); })) {
@@ -55,9 +55,9 @@ TEST(FrameGovernor, SizesAndNumbersNeedNoProgramsOfTheirOwn)
                 continue; // out of its range
             }
             if (!programsServe(base, options)) continue;
-            stage.renderer.setOptions(options, scene.water);
-            stage.renderer.render({lookAcross(), 0.1, {32, 24}});
-            EXPECT_EQ(stage.shaders->built(), before) << row.key << " = " << value;
+            test.renderer.setOptions(options, scene.water);
+            test.renderer.render({lookAcross(), 0.1, {32, 24}});
+            EXPECT_EQ(test.shaders->built(), before) << row.key << " = " << value;
             ++tried;
         }
     }
@@ -65,9 +65,9 @@ TEST(FrameGovernor, SizesAndNumbersNeedNoProgramsOfTheirOwn)
 
     Options other = base;
     other.sunlight.taps = 1;
-    stage.renderer.setOptions(other, scene.water);
-    stage.renderer.render({lookAcross(), 0.1, {32, 24}});
-    EXPECT_GT(stage.shaders->built(), before) << "what is no size does, or the test shows nothing";
+    test.renderer.setOptions(other, scene.water);
+    test.renderer.render({lookAcross(), 0.1, {32, 24}});
+    EXPECT_GT(test.shaders->built(), before) << "what is no size does, or the test shows nothing";
 }
 
 double rmse(const Image& a, const Image& b)
@@ -85,35 +85,35 @@ TEST(FrameGovernor, AveragedSamplesAreTheSupersampledPicture)
     options.glow.enabled = false;
     options.frame.msaa = 1;
     const ivec2 size(80, 60);
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     const auto draw = [&](int sample) {
-        stage.renderer.render({lookAcross(), 0.7, size, DebugView::final, false, sample});
-        return stage.renderer.readLinear();
+        test.renderer.render({lookAcross(), 0.7, size, DebugView::final, false, sample});
+        return test.renderer.readLinear();
     };
     const Image alone = draw(0);
     EXPECT_LT(rmse(draw(1), alone), 1e-4) << "the first is the picture itself";
     Image mean;
     for (int n = 1; n <= Refinement::samples; ++n) mean = draw(n);
     const FrameStats& again =
-        stage.renderer.render({lookAcross(), 0.7, size, DebugView::final, false, Refinement::samples});
+        test.renderer.render({lookAcross(), 0.7, size, DebugView::final, false, Refinement::samples});
     EXPECT_TRUE(again.plan.rule(RuleId::keepFrame).applies) << "and is kept";
     EXPECT_LT(rmse(draw(1), alone), 1e-4) << "it begins anew";
 
     options.frame.scale = 8.0f;
-    stage.renderer.setOptions(options, scene.water);
+    test.renderer.setOptions(options, scene.water);
     const Image truth = draw(0);
     EXPECT_LT(rmse(mean, truth), 0.45 * rmse(alone, truth)) << "of the single sample's error";
     options.frame.scale = 4.0f;
-    stage.renderer.setOptions(options, scene.water);
+    test.renderer.setOptions(options, scene.water);
     EXPECT_LT(rmse(mean, truth), 1.25 * rmse(draw(0), truth)) << "about as good as so many samples on a grid";
 }
 
 TEST(FrameGovernor, TargetsAndMapsStayWhileSamplesAreAveraged)
 {
     const Scene scene = rippledLake();
-    Stage stage(scene, small());
+    TestRenderer test(scene, small());
     const auto draw = [&](int sample) -> const FrameStats& {
-        return stage.renderer.render({lookAcross(), 0.7, {80, 60}, DebugView::final, false, sample});
+        return test.renderer.render({lookAcross(), 0.7, {80, 60}, DebugView::final, false, sample});
     };
     draw(1);
     const FrameStats& second = draw(2);

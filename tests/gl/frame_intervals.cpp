@@ -1,7 +1,7 @@
 // Targets that are drawn in every n-th frame only: which frames draw them, and that the others show the same
 // picture.
 #include "gl/shader_library.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -71,9 +71,9 @@ double difference(const Image& a, const Image& b)
 TEST(FrameIntervals, TargetsTakeTurns)
 {
     const Scene scene = livelyPond();
-    Stage stage(scene, smallOptions(3));
+    TestRenderer test(scene, smallOptions(3));
     for (int frame = 0; frame < 10; ++frame) {
-        const FrameStats& stats = stage.renderer.render({cameraAt(frame), frame * secondsPerFrame, size});
+        const FrameStats& stats = test.renderer.render({cameraAt(frame), frame * secondsPerFrame, size});
         int drawn = 0;
         for (const PassId pass : targets) {
             drawn += draws(stats, pass) ? 1 : 0;
@@ -92,7 +92,7 @@ TEST(FrameIntervals, AMovingEyeSeesThePicture)
     const Scene scene = livelyPond();
     Options one = smallOptions(1), three = smallOptions(3);
     one.caustics.enabled = three.caustics.enabled = false; // which move with the waves, not with the eye
-    Stage every(scene, one), third(scene, three);
+    TestRenderer every(scene, one), third(scene, three);
     double most = 0.0, frameToFrame = 0.0;
     Image last;
     for (int frame = 0; frame < 7; ++frame) {
@@ -113,7 +113,7 @@ TEST(FrameIntervals, AJumpAndAnotherOptionDrawAll)
 {
     const Scene scene = livelyPond();
     Options options = smallOptions(4);
-    Stage every(scene, smallOptions(1)), fourth(scene, options);
+    TestRenderer every(scene, smallOptions(1)), fourth(scene, options);
     const auto same = [&](const Camera& camera, double time) {
         every.renderer.render({camera, time, size});
         const FrameStats& stats = fourth.renderer.render({camera, time, size});
@@ -139,7 +139,7 @@ TEST(FrameIntervals, AJumpAndAnotherOptionDrawAll)
 TEST(FrameIntervals, AtRestThePictureIsThatOfAllTargets)
 {
     const Scene scene = livelyPond();
-    Stage every(scene, smallOptions(1)), fourth(scene, smallOptions(4));
+    TestRenderer every(scene, smallOptions(1)), fourth(scene, smallOptions(4));
     for (int frame = 0; frame < 6; ++frame) fourth.renderer.render({cameraAt(frame), frame * secondsPerFrame, size});
     const FrameInput rest{cameraAt(6), 6 * secondsPerFrame, size};
     every.renderer.render(rest);
@@ -156,9 +156,9 @@ TEST(FrameIntervals, TwoEyesDrawTheirTargets)
     const Scene scene = livelyPond();
     Options options = smallOptions(3);
     options.stereo.output = StereoOptions::Output::sideBySide;
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     for (int frame = 0; frame < 4; ++frame) {
-        const FrameStats& stats = stage.renderer.render({cameraAt(frame), frame * secondsPerFrame, size});
+        const FrameStats& stats = test.renderer.render({cameraAt(frame), frame * secondsPerFrame, size});
         EXPECT_TRUE(draws(stats, PassId::refraction));
         EXPECT_TRUE(draws(stats, PassId::reflection));
     }

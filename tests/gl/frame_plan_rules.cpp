@@ -2,7 +2,7 @@
 #include "gl_test.h"
 
 #include "gl/shader_library.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ struct Pair {
     }
 
     Options options;
-    Stage planned, full;
+    TestRenderer planned, full;
     WaterBody water;
 };
 

@@ -1,5 +1,5 @@
 // The debug views that say where the water pass looks: in still water over a level bed a formula gives every point.
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "gl/shader_library.h"
@@ -103,8 +103,8 @@ TEST(Positions, TheSurfaceIsWhereTheEyesRayMeetsIt)
 {
     const Scene scene = flatLake(depth);
     const Camera camera = lookAlong(-20.0f, 1.6f);
-    Studio studio(scene);
-    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
+    CheckedRenderer renderer(scene);
+    const Image image = renderer.linear(camera, pictureSize, 0.0, DebugView::positionU);
     double worst = 0.0;
     const int water = forWater(camera, image, 50.0, [&](const dvec3&, const dvec3& surface, const vec4& value) {
         EXPECT_EQ(value.w, 1.0f);
@@ -121,8 +121,8 @@ TEST(Positions, ThePictureOfTheBedIsThatOfTheTrueHit)
     const Camera camera = lookAlong(-40.0f, 1.6f);
     Options options;
     options.refraction.steps = 8;
-    Studio studio(scene, options);
-    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::positionA);
+    CheckedRenderer renderer(scene, options);
+    const Image image = renderer.linear(camera, pictureSize, 0.0, DebugView::positionA);
     double worst = 0.0;
     const int water = forWater(camera, image, 20.0, [&](const dvec3& ray, const dvec3& surface, const vec4& value) {
         const dvec3 refracted = optics64::refractRay(ray, dvec3(0, 1, 0), 1.0 / n);
@@ -144,9 +144,9 @@ TEST(Positions, LargeTrianglesDoNotBendThePictureThroughFlatWater)
     options.refraction.camera = RefractionOptions::CameraMode::flat;
     options.refraction.targetSize = 2048;
     options.refraction.steps = 8;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     for (const DebugView view : {DebugView::positionA, DebugView::positionW}) {
-        const Image image = studio.linear(camera, pictureSize, 0.0, view);
+        const Image image = renderer.linear(camera, pictureSize, 0.0, view);
         double worst = 0.0;
         const int water = forWater(camera, image, 4.0, [&](const dvec3& ray, const dvec3& surface, const vec4& value) {
             const dvec3 refracted = optics64::refractRay(ray, dvec3(0, 1, 0), 1.0 / n);
@@ -166,13 +166,13 @@ TEST(Positions, ThePlanarLookupsPictureIsOfTheBed)
     Options options;
     options.refraction.method = RefractionOptions::Method::planar;
     options.refraction.camera = RefractionOptions::CameraMode::main; // the turned camera leaves little to be wrong
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     const auto heightRange = [&](DebugView view) {
         vec2 range(1.0e6f, -1.0e6f);
         const auto widen = [&](const dvec3&, const dvec3&, const vec4& value) {
             range = {std::min(range.x, value.y), std::max(range.y, value.y)};
         };
-        forWater(camera, studio.linear(camera, pictureSize, 0.0, view), 10.0, widen);
+        forWater(camera, renderer.linear(camera, pictureSize, 0.0, view), 10.0, widen);
         return range;
     };
     const vec2 place = heightRange(DebugView::positionW), picture = heightRange(DebugView::positionA);
@@ -188,8 +188,8 @@ TEST(Positions, WhereTheBedEndsThereIsNoSample)
     const Camera camera = lookAlong(-89.0f, 4.0f);
     Options options;
     options.refraction.steps = 8;
-    Studio studio(scene, options);
-    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::positionA);
+    CheckedRenderer renderer(scene, options);
+    const Image image = renderer.linear(camera, pictureSize, 0.0, DebugView::positionA);
     int onBed = 0, beside = 0;
     forWater(camera, image, 20.0, [&](const dvec3& ray, const dvec3& surface, const vec4& value) {
         const dvec3 refracted = optics64::refractRay(ray, dvec3(0, 1, 0), 1.0 / n);
@@ -217,8 +217,8 @@ TEST(Positions, TheReflectionShowsTheWallAndTheSky)
     for (const float distance : {0.0f, 1.0f, 20.0f}) { // in still water any c of eq. 6 is right
         Options options;
         options.reflection.distance = distance;
-        Studio studio(scene, options);
-        const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
+        CheckedRenderer renderer(scene, options);
+        const Image image = renderer.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
         int walls = 0, skies = 0;
         double worst = 0.0, worstAngle = 0.0;
         forWater(camera, image, 9.0, [&](const dvec3& ray, const dvec3& surface, const vec4& value) {
@@ -245,10 +245,10 @@ TEST(Positions, WithoutTheirTargetsThereIsNoSampleAndTheSkyIsMirrored)
     const Camera camera = lookAlong(-30.0f, 1.6f);
     Options options;
     options.refraction.enabled = options.reflection.enabled = false;
-    Studio studio(scene, options);
-    const Image taken = studio.linear(camera, pictureSize, 0.0, DebugView::positionA);
+    CheckedRenderer renderer(scene, options);
+    const Image taken = renderer.linear(camera, pictureSize, 0.0, DebugView::positionA);
     forWater(camera, taken, 20.0, [](const dvec3&, const dvec3&, const vec4& value) { EXPECT_EQ(value.w, 0.5f); });
-    const Image mirror = studio.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
+    const Image mirror = renderer.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
     forWater(camera, mirror, 20.0, [](const dvec3& ray, const dvec3&, const vec4& value) {
         EXPECT_EQ(value.w, 2.0f);
         EXPECT_LT(angleBetween(mirrored(ray), dvec3(value)), 1.0e-3);
@@ -264,8 +264,8 @@ TEST(Positions, AnEyeUnderWaterSeesTheCeilingAndMirrorsTheBed)
     const Camera camera = lookAlong(80.0f, -1.5f);
     Options options;
     options.refraction.steps = 8;
-    Studio studio(scene, options);
-    const Image taken = studio.linear(camera, pictureSize, 0.0, DebugView::positionA);
+    CheckedRenderer renderer(scene, options);
+    const Image taken = renderer.linear(camera, pictureSize, 0.0, DebugView::positionA);
     int found = 0, missing = 0;
     forWater(camera, taken, 20.0, [&](const dvec3& ray, const dvec3& surface, const vec4& value) {
         if (ray.y < 0.85) return; // leaves the target
@@ -282,7 +282,7 @@ TEST(Positions, AnEyeUnderWaterSeesTheCeilingAndMirrorsTheBed)
     EXPECT_GT(found, 500);
     EXPECT_GT(missing, 100);
 
-    const Image mirror = studio.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
+    const Image mirror = renderer.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
     double worst = 0.0;
     forWater(camera, mirror, 3.0, [&](const dvec3& ray, const dvec3& surface, const vec4& value) {
         worst = std::max(worst, glm::distance(surface + mirrored(ray) * (4.0 / ray.y), dvec3(value)));
@@ -300,14 +300,14 @@ TEST(FramePositions, NewtonsMethodLeavesTheTrianglesForTheWaves)
     options.frame.msaa = 1;
     options.water.filterWaves = false;
     options.water.gridSize = 1025; // cells of 0.4 m over 400 m
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     const Camera camera = lookAlong(-35.0f, 2.0f);
     const Rays rays(camera);
     std::array<double, 3> worst{};
     for (int steps = 0; steps <= 2; ++steps) {
         options.water.surfaceSteps = steps;
-        studio.setOptions(options, scene.water);
-        const Image u = studio.linear(camera, pictureSize, time, DebugView::positionU);
+        renderer.setOptions(options, scene.water);
+        const Image u = renderer.linear(camera, pictureSize, time, DebugView::positionU);
         double& error = worst[static_cast<std::size_t>(steps)];
         for (int y = pictureSize.y / 2; y < pictureSize.y; ++y) {
             for (int x = 0; x < pictureSize.x; ++x) {
@@ -332,13 +332,13 @@ TEST(FramePositions, TheFilterFadesOnlyWhatIsMirrored)
     const Camera camera = lookAlong(-15.0f, 2.0f); // a pixel covers up to metres
     Options options;
     options.frame.msaa = 1;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     const auto both = [&](DebugView view) {
         std::array<Image, 2> pictures;
         for (const bool filters : {false, true}) {
             options.water.filterWaves = filters;
-            studio.setOptions(options, scene.water);
-            pictures[filters ? 1 : 0] = studio.linear(camera, pictureSize, 0.3, view);
+            renderer.setOptions(options, scene.water);
+            pictures[filters ? 1 : 0] = renderer.linear(camera, pictureSize, 0.3, view);
         }
         return pictures;
     };

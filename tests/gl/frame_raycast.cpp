@@ -1,6 +1,6 @@
 // refraction.method = raycast: rays marched through the bed's heights, against formulas and against the other method.
 #include "raycast_frames.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "gl/shader_library.h"
@@ -19,10 +19,11 @@ namespace {
 using glm::dvec3;
 
 /// Calls a function with U, the refracted direction in still water and the value of each pixel that shows water.
-template <typename Visit> int forWater(Studio& studio, const Camera& camera, DebugView view, const Visit& visit)
+template <typename Visit>
+int forWater(CheckedRenderer& renderer, const Camera& camera, DebugView view, const Visit& visit)
 {
-    const Image surface = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
-    const Image image = studio.linear(camera, pictureSize, 0.0, view);
+    const Image surface = renderer.linear(camera, pictureSize, 0.0, DebugView::positionU);
+    const Image image = renderer.linear(camera, pictureSize, 0.0, view);
     int count = 0;
     for (int y = 0; y < pictureSize.y; ++y)
         for (int x = 0; x < pictureSize.x; ++x) {
@@ -45,11 +46,11 @@ TEST(Raycast, ALevelBedIsMetWhereSnellSays)
          {std::pair(March::pyramid, false), {March::classic, false}, {March::pyramid, true}}) {
         Options options = raycastOptions(march);
         if (combines) options.refraction.method = RefractionOptions::Method::combined;
-        Studio studio(scene, options);
+        CheckedRenderer renderer(scene, options);
         for (const DebugView view : {DebugView::positionW, DebugView::positionA}) {
             double worst = 0.0;
             const int water =
-                forWater(studio, camera, view, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+                forWater(renderer, camera, view, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
                     const dvec3 hit = u - refracted * (depth / refracted.y);
                     if (std::max(std::abs(hit.x), std::abs(hit.z)) < 9.5)
                         worst = std::max(worst, glm::distance(hit, dvec3(value)));
@@ -57,8 +58,8 @@ TEST(Raycast, ALevelBedIsMetWhereSnellSays)
             EXPECT_GT(water, pictureSize.x * pictureSize.y / 2);
             EXPECT_LT(worst, 2.0e-3);
         }
-        EXPECT_EQ(studio.stats.plan[PassId::refraction].wanted, combines);
-        EXPECT_TRUE(studio.stats.plan[PassId::heights].wanted);
+        EXPECT_EQ(renderer.stats.plan[PassId::refraction].wanted, combines);
+        EXPECT_TRUE(renderer.stats.plan[PassId::heights].wanted);
     }
 }
 
@@ -71,21 +72,21 @@ TEST(Raycast, TheMapIsDrawnOnceForAllThatMoves)
     wave.amplitude = 0.05f;
     wave.wavelength = 2.0f;
     scene.water.waves = {wave};
-    Studio studio(scene, raycastOptions());
+    CheckedRenderer renderer(scene, raycastOptions());
     const auto trianglesOfMap = [&] {
-        for (const FrameStats::Pass& pass : studio.stats.passes)
+        for (const FrameStats::Pass& pass : renderer.stats.passes)
             if (std::string(pass.name) == "heights") return pass.triangles;
         return std::size_t{0};
     };
-    studio.linear(over({0, 1.6f, 6}, {0, -1, 0}), pictureSize, 0.0);
+    renderer.linear(over({0, 1.6f, 6}, {0, -1, 0}), pictureSize, 0.0);
     EXPECT_GT(trianglesOfMap(), 0u);
-    studio.linear(over({1, 2.6f, 4}, {0, -1, 0}), pictureSize, 0.7);
+    renderer.linear(over({1, 2.6f, 4}, {0, -1, 0}), pictureSize, 0.7);
     EXPECT_EQ(trianglesOfMap(), 0u) << "eye and waves moved";
     WaterBody body = scene.water;
     body.absorption *= 2.0f;
     body.absorption += 0.1f;
-    studio.setOptions(raycastOptions(), body);
-    studio.linear(over({1, 2.6f, 4}, {0, -1, 0}), pictureSize, 0.7);
+    renderer.setOptions(raycastOptions(), body);
+    renderer.linear(over({1, 2.6f, 4}, {0, -1, 0}), pictureSize, 0.7);
     EXPECT_GT(trianglesOfMap(), 0u) << "the water is another";
 }
 
@@ -111,15 +112,16 @@ struct Pool {
     Pool() { addBox(scene, lower, upper, addMaterial(scene, vec3(0.8f, 0.1f, 0.1f))); }
 
     /// Of the rays that meet the post's middle: how many, and how many of them were found to end somewhere else.
-    std::pair<int, int> missed(Studio& studio) const
+    std::pair<int, int> missed(CheckedRenderer& renderer) const
     {
         int meet = 0, pass = 0;
-        forWater(studio, camera, DebugView::positionW, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
-            const double t = toBox(u, refracted, lower, upper, 0.008);
-            if (t < 0.0) return;
-            ++meet;
-            pass += glm::distance(u + t * refracted, dvec3(value)) > 0.1;
-        });
+        forWater(renderer, camera, DebugView::positionW,
+                 [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+                     const double t = toBox(u, refracted, lower, upper, 0.008);
+                     if (t < 0.0) return;
+                     ++meet;
+                     pass += glm::distance(u + t * refracted, dvec3(value)) > 0.1;
+                 });
         return {meet, pass};
     }
 };
@@ -127,24 +129,24 @@ struct Pool {
 TEST(Raycast, AThinPostIsNeverSteppedOver)
 {
     const Pool pool;
-    Studio pyramid(pool.scene, raycastOptions(HeightsOptions::March::pyramid, 1024));
+    CheckedRenderer pyramid(pool.scene, raycastOptions(HeightsOptions::March::pyramid, 1024));
     const auto [meet, pass] = pool.missed(pyramid);
     EXPECT_GT(meet, 40);
     EXPECT_EQ(pass, 0) << "of " << meet;
-    Studio classic(pool.scene, raycastOptions(HeightsOptions::March::classic, 1024));
-    const auto [meetToo, steppedOver] = pool.missed(classic);
-    EXPECT_GT(steppedOver, meetToo / 5) << "steps of 10 to 30 cm find a post of 4 cm by chance";
+    CheckedRenderer classic(pool.scene, raycastOptions(HeightsOptions::March::classic, 1024));
+    const auto [meetToo, missed] = pool.missed(classic);
+    EXPECT_GT(missed, meetToo / 5) << "steps of 10 to 30 cm find a post of 4 cm by chance";
 }
 
-/// The share of water pixels whose ray was marched past what its map holds.
-double steppedOver(const Scene& scene, const Camera& camera, const Options& options)
+/// The fraction of water pixels whose ray was marched past what its map holds.
+double missed(const Scene& scene, const Camera& camera, const Options& options)
 {
-    Stage stage(scene, options);
-    const WaterQuantities used = readQuantities(stage.renderer, camera, 0.0, pictureSize);
+    TestRenderer test(scene, options);
+    const WaterQuantities used = readQuantities(test.renderer, camera, 0.0, pictureSize);
     reference::Picture truth(pictureSize); // of which the figure needs only where there is water and something under it
     for (std::size_t i = 0; i < truth.pixels(); ++i)
         truth.events[i] = reference::meetsWater | reference::refracted | reference::refractionHit;
-    return errorFigures(used, truth).refractionSteppedOver;
+    return errorFigures(used, truth).refractionMissed;
 }
 
 // The figure of the trade: of the rays that meet the post in truth, those that do not end there.
@@ -154,22 +156,22 @@ TEST(Raycast, WhatAClassicMarchStepsOverIsCounted)
     Pool pool;
     pool.scene = flatLake(1.0f, 4.0f, 12.0f);
     addBox(pool.scene, pool.lower, pool.upper, addMaterial(pool.scene, vec3(0.8f, 0.1f, 0.1f)));
-    EXPECT_EQ(steppedOver(pool.scene, pool.camera, raycastOptions(HeightsOptions::March::pyramid, 1024)), 0.0);
-    EXPECT_EQ(steppedOver(pool.scene, pool.camera, raycastOptions(HeightsOptions::March::pyramid, 256)), 0.0);
+    EXPECT_EQ(missed(pool.scene, pool.camera, raycastOptions(HeightsOptions::March::pyramid, 1024)), 0.0);
+    EXPECT_EQ(missed(pool.scene, pool.camera, raycastOptions(HeightsOptions::March::pyramid, 256)), 0.0);
     const Options classic = raycastOptions(HeightsOptions::March::classic, 1024);
-    const double share = steppedOver(pool.scene, pool.camera, classic);
-    Studio studio(pool.scene, classic);
+    const double fraction = missed(pool.scene, pool.camera, classic);
+    CheckedRenderer renderer(pool.scene, classic);
     int water = 0, passed = 0;
-    water = forWater(studio, pool.camera, DebugView::positionW,
+    water = forWater(renderer, pool.camera, DebugView::positionW,
                      [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
                          const double t = toBox(u, refracted, pool.lower, pool.upper, 0.0);
                          passed += t >= 0.0 && glm::distance(u, dvec3(value)) > t + 8.0 / 1024.0;
                      });
     const double wanted = static_cast<double>(passed) / water;
     EXPECT_GT(wanted, 0.001);
-    EXPECT_NEAR(share, wanted, 0.25 * wanted) << "the map's post is wider by up to a texel";
+    EXPECT_NEAR(fraction, wanted, 0.25 * wanted) << "the map's post is wider by up to a texel";
     const Scene bare = flatLake(1.0f, 4.0f, 12.0f);
-    EXPECT_EQ(steppedOver(bare, pool.camera, classic), 0.0) << "there is nothing to step over";
+    EXPECT_EQ(missed(bare, pool.camera, classic), 0.0) << "there is nothing to step over";
 }
 
 // The post is cut by the surface: its column is solid, though it has no top there.
@@ -180,8 +182,8 @@ TEST(Raycast, WhatStandsOutOfTheWaterIsSolidToTheSurface)
     pool.upper = vec3(0.3f, 0.5f, 0.3f);
     pool.scene = flatLake(1.0f, 4.0f);
     addBox(pool.scene, pool.lower, pool.upper, addMaterial(pool.scene, vec3(0.8f, 0.1f, 0.1f)));
-    Studio studio(pool.scene, raycastOptions(HeightsOptions::March::pyramid, 512));
-    const auto [meet, pass] = pool.missed(studio);
+    CheckedRenderer renderer(pool.scene, raycastOptions(HeightsOptions::March::pyramid, 512));
+    const auto [meet, pass] = pool.missed(renderer);
     EXPECT_GT(meet, 300);
     EXPECT_EQ(pass, 0) << "of " << meet;
 }
@@ -198,15 +200,16 @@ TEST(Raycast, CombinedWithTheTargetSeesUnderALedge)
         if (combines) options.refraction.method = RefractionOptions::Method::combined;
         options.refraction.camera = RefractionOptions::CameraMode::snell;
         options.refraction.steps = 6;
-        Studio studio(scene, options);
+        CheckedRenderer renderer(scene, options);
         int under = 0, misplaced = 0;
-        forWater(studio, camera, DebugView::positionA, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
-            const dvec3 onBed = u - refracted * (1.5 / refracted.y);
-            if (toBox(u, refracted, lower, upper, -0.04) >= 0.0) return; // meets the ledge, or its edge
-            if (std::abs(onBed.x) > 0.7 || std::abs(onBed.z) > 0.7) return;
-            ++under;
-            misplaced += glm::distance(onBed, dvec3(value)) > 0.05;
-        });
+        forWater(renderer, camera, DebugView::positionA,
+                 [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+                     const dvec3 onBed = u - refracted * (1.5 / refracted.y);
+                     if (toBox(u, refracted, lower, upper, -0.04) >= 0.0) return; // meets the ledge, or its edge
+                     if (std::abs(onBed.x) > 0.7 || std::abs(onBed.z) > 0.7) return;
+                     ++under;
+                     misplaced += glm::distance(onBed, dvec3(value)) > 0.05;
+                 });
         EXPECT_GT(under, 200);
         return static_cast<double>(misplaced) / under;
     };
@@ -223,16 +226,18 @@ TEST(Raycast, HalvingTheStepFindsTheGroundMoreClosely)
     options.heights.filter = HeightsOptions::Filter::linear;
     const auto meanError = [&](int refine) {
         options.heights.refine = refine;
-        Studio studio(scene, options);
+        CheckedRenderer renderer(scene, options);
         double sum = 0.0;
         int count = 0;
-        forWater(studio, camera, DebugView::positionW, [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
-            const dvec3 onTop = u - refracted * (0.4 / refracted.y);
-            // On the top, not far behind the edge that steps come over: there the ground before a step was the bed.
-            if (std::abs(onTop.x) > 0.95 || onTop.z < 0.6 || onTop.z > 0.95) return;
-            sum += glm::distance(dvec3(value), onTop);
-            ++count;
-        });
+        forWater(renderer, camera, DebugView::positionW,
+                 [&](const dvec3& u, const dvec3& refracted, const vec4& value) {
+                     const dvec3 onTop = u - refracted * (0.4 / refracted.y);
+                     // On the top, not far behind the edge that steps come over: there the ground before a step was the
+                     // bed.
+                     if (std::abs(onTop.x) > 0.95 || onTop.z < 0.6 || onTop.z > 0.95) return;
+                     sum += glm::distance(dvec3(value), onTop);
+                     ++count;
+                 });
         EXPECT_GT(count, 500);
         return sum / count;
     };
@@ -272,7 +277,7 @@ TEST(Raycast, LightsTheBedAsTheOtherMethodDoes)
         Options other = options;
         other.refraction.method = RefractionOptions::Method::iterative;
         other.refraction.steps = 8;
-        Studio a(scene, options), b(scene, other);
+        CheckedRenderer a(scene, options), b(scene, other);
         const auto [worst, mean] = difference(a.linear(camera, pictureSize), b.linear(camera, pictureSize));
         EXPECT_LT(mean, 0.01) << caustics;
         EXPECT_LT(worst, 1.0) << caustics << ": edges of the shadow may differ, patches may not";
@@ -292,11 +297,12 @@ struct MirrorCount {
     int meet = 0, pass = 0, missed = 0, invented = 0;
 };
 
-MirrorCount countMirrored(Studio& studio, const Camera& camera, const vec3& lower, const vec3& upper, double inset)
+MirrorCount countMirrored(CheckedRenderer& renderer, const Camera& camera, const vec3& lower, const vec3& upper,
+                          double inset)
 {
     MirrorCount count;
-    const Image surface = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
-    const Image image = studio.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
+    const Image surface = renderer.linear(camera, pictureSize, 0.0, DebugView::positionU);
+    const Image image = renderer.linear(camera, pictureSize, 0.0, DebugView::reflectionHit);
     for (int y = 0; y < pictureSize.y; ++y)
         for (int x = 0; x < pictureSize.x; ++x) {
             const vec4 u = pixel(surface, x, y), found = pixel(image, x, y);
@@ -321,13 +327,13 @@ TEST(RaycastMirror, APostIsMirroredWhereItStands)
     const vec3 lower(-0.25f, -0.5f, -1.25f), upper(0.25f, 1.5f, -0.75f);
     addBox(scene, lower, upper, addMaterial(scene, vec3(0.8f, 0.1f, 0.1f)));
     const Camera camera = over({0.3f, 1.4f, 3.5f}, {0, -0.3f, 0});
-    Studio studio(scene, mirrorOptions());
-    const MirrorCount count = countMirrored(studio, camera, lower, upper, 0.03);
+    CheckedRenderer renderer(scene, mirrorOptions());
+    const MirrorCount count = countMirrored(renderer, camera, lower, upper, 0.03);
     EXPECT_GT(count.meet, 300);
     EXPECT_GT(count.pass, 3000);
     EXPECT_LE(count.missed, count.meet / 50) << "edges are a texel wide";
     EXPECT_EQ(count.invented, 0);
-    EXPECT_FALSE(studio.stats.plan[PassId::reflection].wanted);
+    EXPECT_FALSE(renderer.stats.plan[PassId::reflection].wanted);
 }
 
 // A deck is met from below, and rays that pass under it go on; as published it is solid down to the water.
@@ -337,13 +343,13 @@ TEST(RaycastMirror, ADeckHasAnUnderside)
     const vec3 lower(-1.0f, 0.6f, -2.0f), upper(1.0f, 0.7f, 0.0f);
     addBox(scene, lower, upper, addMaterial(scene, vec3(0.8f, 0.1f, 0.1f)));
     const Camera camera = over({0.3f, 1.0f, 3.5f}, {0, -0.1f, 0});
-    Studio pyramid(scene, mirrorOptions());
+    CheckedRenderer pyramid(scene, mirrorOptions());
     const MirrorCount count = countMirrored(pyramid, camera, lower, upper, 0.03);
     EXPECT_GT(count.meet, 500);
     EXPECT_GT(count.pass, 3000);
     EXPECT_EQ(count.missed, 0);
     EXPECT_EQ(count.invented, 0);
-    Studio classic(scene, mirrorOptions(HeightsOptions::March::classic));
+    CheckedRenderer classic(scene, mirrorOptions(HeightsOptions::March::classic));
     EXPECT_GT(countMirrored(classic, camera, lower, upper, 0.03).invented, 200);
 }
 
@@ -358,7 +364,7 @@ TEST(RaycastMirror, ShowsWhatIsMet)
     Options other = mirrorOptions();
     other.reflection.method = ReflectionOptions::Method::iterative;
     other.reflection.targetSize = 1024;
-    Studio a(scene, mirrorOptions()), b(scene, other);
+    CheckedRenderer a(scene, mirrorOptions()), b(scene, other);
     const auto [worst, mean] = difference(a.linear(camera, pictureSize), b.linear(camera, pictureSize));
     EXPECT_LT(mean, 0.01);
 }

@@ -1,6 +1,6 @@
 // Ripples of a normal map on the drawn surface: against formulas, and against the reference.
 #include "gl/shader_library.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "measure/water_errors.h"
@@ -63,7 +63,7 @@ TEST(Ripples, AFlatMapChangesNothing)
     for (const bool filters : {true, false}) {
         Options options;
         options.water.filterWaves = filters;
-        Studio without(plain, options), with(rippled, options);
+        CheckedRenderer without(plain, options), with(rippled, options);
         for (const DebugView view : {DebugView::final, DebugView::normals, DebugView::positionW}) {
             const Image expected = without.linear(overTheWater(), pictureSize, time, view);
             EXPECT_LT(difference(with.linear(overTheWater(), pictureSize, time, view), expected), 1e-3f)
@@ -78,7 +78,7 @@ TEST(Ripples, SwitchedOffTheyAreNotThere)
     Scene rippled = plain;
     addNormalMap(rippled, 8, [](const vec2&) { return vec2(0.3f, 0.1f); });
     rippled.water.normalMap.enabled = false;
-    Studio without(plain), with(rippled);
+    CheckedRenderer without(plain), with(rippled);
     EXPECT_EQ(with.linear(overTheWater(), pictureSize, time).floats,
               without.linear(overTheWater(), pictureSize, time).floats);
 }
@@ -89,16 +89,16 @@ TEST(Ripples, OneTiltGivesTheNormalOfTheFormula)
     Scene scene = flatLake(2.0f);
     addNormalMap(scene, 8, [](const vec2&) { return vec2(0.12f, -0.05f); });
     Options options;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     for (const auto normals : {WaterOptions::Normals::pixel, WaterOptions::Normals::vertex})
         for (const bool filters : {true, false})
             for (const float bump : {1.0f, 0.4f}) {
                 options.water.normals = normals;
                 options.water.filterWaves = filters;
                 scene.water.normalMap.bump = bump;
-                studio.setOptions(options, scene.water);
+                renderer.setOptions(options, scene.water);
                 const vec3 expected = glm::normalize(vec3(-0.12f, bump, 0.05f));
-                const Image image = studio.linear(overTheWater(), pictureSize, time, DebugView::normals);
+                const Image image = renderer.linear(overTheWater(), pictureSize, time, DebugView::normals);
                 int wrong = 0;
                 for (int y = pictureSize.y / 2; y < pictureSize.y; ++y)
                     for (int x = 0; x < pictureSize.x; ++x)
@@ -153,17 +153,17 @@ TEST(Ripples, FarAwayTheyAreRoughness)
     camera.eye.y = 30.0f;
     camera.target = vec3(0.0f, 0.0f, -60.0f);
     Options options;
-    Studio studio(scene, options);
-    const Image normals = studio.linear(camera, pictureSize, time, DebugView::normals);
+    CheckedRenderer renderer(scene, options);
+    const Image normals = renderer.linear(camera, pictureSize, time, DebugView::normals);
     for (int x = 0; x < pictureSize.x; ++x) EXPECT_GT(pixel(normals, x, pictureSize.y / 2).y, 0.9999f) << x;
 
     // A rough mirror spreads the sun: beside its image there is light that a smooth one has not.
     scene.sky.radiance = vec3(0.0f);
     scene.materials[0].diffuse = vec3(0.0f);
     scene.sun = Sun{normalize(vec3(0.0f, 30.0f, -60.0f)), vec3(10.0f), false};
-    Studio rough(scene, options);
+    CheckedRenderer rough(scene, options);
     scene.water.normalMap.enabled = false;
-    Studio smooth(scene, options);
+    CheckedRenderer smooth(scene, options);
     // As many pixels beside the mirrored sun, in the picture's middle, as turn a facet by 2.5 degrees.
     const int beside = pictureSize.x / 2 + 12;
     EXPECT_GT(pixel(rough.linear(camera, pictureSize, time), beside, pictureSize.y / 2).x,
@@ -189,8 +189,8 @@ TEST(Ripples, ThePhongHighlightIsNotSteepened)
     options.water.specular = WaterOptions::Specular::phong;
     for (const float bump : {1.0f, 0.5f}) {
         scene.water.normalMap.bump = bump;
-        Studio studio(scene, options);
-        const vec4 centre = pixel(studio.linear(camera, pictureSize, time), pictureSize.x / 2, pictureSize.y / 2);
+        CheckedRenderer renderer(scene, options);
+        const vec4 centre = pixel(renderer.linear(camera, pictureSize, time), pictureSize.x / 2, pictureSize.y / 2);
         const double cosine = static_cast<double>(glm::normalize(vec3(-0.1f, bump, 0.0f)).y);
         const double expected = 2.0 * optics64::fresnelExact(cosine, 1.0 / 1.33) * 10.0 / std::numbers::pi;
         EXPECT_NEAR(centre.x, expected, 0.03 * expected) << bump;

@@ -4,7 +4,7 @@
 #include "plan/stereo.h"
 #include "render/passes/downsample.h"
 #include "render/passes/upscale.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <algorithm>
@@ -142,12 +142,12 @@ TEST(FrameScale, APixelIsTheMeanOfThoseDrawnForIt)
         Options options;
         options.frame.msaa = 1;
         options.glow.enabled = false;
-        Studio studio(scene, options);
+        CheckedRenderer renderer(scene, options);
         const ivec2 size(40, 30);
-        const Image large = studio.linear(lookAcross(), edge * size, 0.7);
+        const Image large = renderer.linear(lookAcross(), edge * size, 0.7);
         options.frame.scale = static_cast<float>(edge);
-        studio.setOptions(options, scene.water);
-        const Image mean = studio.linear(lookAcross(), size, 0.7);
+        renderer.setOptions(options, scene.water);
+        const Image mean = renderer.linear(lookAcross(), size, 0.7);
         ASSERT_EQ(ivec2(mean.width, mean.height), size);
         bool isAnyMixed = false;
         for (int y = 0; y < size.y; ++y) {
@@ -173,12 +173,12 @@ TEST(FrameScale, RawValuesAreThoseOfThePixelsCentre)
     const Scene scene = rippledLake();
     Options options;
     options.frame.antialiasing = FrameOptions::Antialiasing::fxaa;
-    Studio studio(scene, options);
-    const Image plain = studio.linear(lookAcross(), {40, 30}, 0.7, DebugView::positionW);
+    CheckedRenderer renderer(scene, options);
+    const Image plain = renderer.linear(lookAcross(), {40, 30}, 0.7, DebugView::positionW);
     for (const float scale : {0.4f, 3.0f}) {
         options.frame.scale = scale;
-        studio.setOptions(options, scene.water);
-        const Image same = studio.linear(lookAcross(), {40, 30}, 0.7, DebugView::positionW);
+        renderer.setOptions(options, scene.water);
+        const Image same = renderer.linear(lookAcross(), {40, 30}, 0.7, DebugView::positionW);
         EXPECT_EQ(plain.floats, same.floats) << scale;
     }
 }
@@ -193,17 +193,17 @@ TEST(FrameScale, EveryPictureHasItsSizeAndNoBadPixels)
             Options options;
             options.frame.scale = scale;
             options.stereo.output = output;
-            Stage stage(scene, options);
-            stage.renderer.setChecking(true);
+            TestRenderer test(scene, options);
+            test.renderer.setChecking(true);
             const ivec2 whole = presentedSize(size, output);
             for (const DebugView view :
                  {DebugView::final, DebugView::sceneDepth, DebugView::refractionColour, DebugView::fresnel}) {
-                stage.renderer.render({lookAcross(), 0.7, size, view});
-                EXPECT_TRUE(stage.renderer.badPixels().empty());
-                const Image shown = stage.renderer.readDisplay();
+                test.renderer.render({lookAcross(), 0.7, size, view});
+                EXPECT_TRUE(test.renderer.badPixels().empty());
+                const Image shown = test.renderer.readDisplay();
                 EXPECT_EQ(ivec2(shown.width, shown.height), whole) << scale;
                 if (output == StereoOptions::Output::anaglyph) continue;
-                const Image linear = stage.renderer.readLinear();
+                const Image linear = test.renderer.readLinear();
                 EXPECT_EQ(ivec2(linear.width, linear.height), whole) << scale;
                 EXPECT_TRUE(
                     std::all_of(linear.floats.begin(), linear.floats.end(), [](float f) { return std::isfinite(f); }));
@@ -225,12 +225,12 @@ TEST(FrameScale, ASmallerFrameShowsThePicture)
 {
     const Scene scene = rippledLake();
     Options options;
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     const auto shown = [&](float scale) {
         options.frame.scale = scale;
-        stage.renderer.setOptions(options, scene.water);
-        stage.renderer.render({lookAcross(), 0.7, {120, 90}});
-        return stage.renderer.readDisplay();
+        test.renderer.setOptions(options, scene.water);
+        test.renderer.render({lookAcross(), 0.7, {120, 90}});
+        return test.renderer.readDisplay();
     };
     const Image full = shown(1.0f);
     double last = 0.0;
@@ -249,20 +249,20 @@ TEST(FrameScale, EyesSideBySideAreThoseOfOneEye)
     Options options;
     options.frame.scale = 0.6f;
     options.caustics.enabled = false; // which lie where the head is, not the eye
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     const ivec2 size(60, 45);
     const Camera head = lookAcross();
     options.stereo.output = StereoOptions::Output::sideBySide;
     options.stereo.separation = 0.5f;
-    stage.renderer.setOptions(options, scene.water);
-    stage.renderer.render({head, 0.7, size});
-    const Image both = stage.renderer.readLinear(), bothShown = stage.renderer.readDisplay();
+    test.renderer.setOptions(options, scene.water);
+    test.renderer.render({head, 0.7, size});
+    const Image both = test.renderer.readLinear(), bothShown = test.renderer.readDisplay();
     Options one = options;
     one.stereo.output = StereoOptions::Output::off;
-    stage.renderer.setOptions(one, scene.water);
+    test.renderer.setOptions(one, scene.water);
     for (const Eye eye : bothEyes) {
-        stage.renderer.render({eyeCamera(head, options.stereo, eye), 0.7, size});
-        const Image alone = stage.renderer.readLinear(), aloneShown = stage.renderer.readDisplay();
+        test.renderer.render({eyeCamera(head, options.stereo, eye), 0.7, size});
+        const Image alone = test.renderer.readLinear(), aloneShown = test.renderer.readDisplay();
         const int from = eye == Eye::left ? 0 : size.x;
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x) {

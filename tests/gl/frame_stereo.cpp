@@ -1,6 +1,6 @@
 // Two eyes: what each sees through its oblique frustum, and how both are put together.
 #include "gl_test.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "base/error.h"
@@ -124,14 +124,14 @@ TEST(Stereo, AnObliqueFrustumShowsAPartOfAWiderPicture)
     Options options = plain();
     options.glow.enabled = false; // its target is too small to be a part of another
     options.refraction.targetSize = options.reflection.targetSize = 1024; // a wider picture spreads them wider
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     for (const auto& [camera, side] :
          {std::pair{over, WaterSide::above}, {under, WaterSide::below}, {across, WaterSide::crossing}}) {
         const Widened w = widened(camera, 30);
-        const Image wide = studio.linear(w.wide, w.wideSize);
-        EXPECT_EQ(studio.stats.plan.side, side);
-        const Image part = studio.linear(w.part, eyeSize);
-        EXPECT_EQ(studio.stats.plan.side, side);
+        const Image wide = renderer.linear(w.wide, w.wideSize);
+        EXPECT_EQ(renderer.stats.plan.side, side);
+        const Image part = renderer.linear(w.part, eyeSize);
+        EXPECT_EQ(renderer.stats.plan.side, side);
         EXPECT_LT(differing(partOf(wide, 60, eyeSize.x), part), 0.04) << static_cast<int>(side);
         EXPECT_GT(differing(partOf(wide, 30, eyeSize.x), part), 0.15) << "the test sees no shift";
     }
@@ -150,13 +150,13 @@ TEST(Stereo, EveryMethodFindsTheBedThroughAnObliqueFrustum)
         glm::inverse(glm::dmat4(clipFromView(camera, 4.0f / 3.0f)) * glm::dmat4(viewFromWorld(camera)));
     Options options = plain();
     options.refraction.steps = 8;
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     for (const Mode mode : {Mode::main, Mode::snell, Mode::flat})
         for (const WaterOptions::Grid grid : {WaterOptions::Grid::uniform, WaterOptions::Grid::focused}) {
             options.refraction.camera = mode;
             options.water.grid = grid;
-            stage.renderer.setOptions(options, scene.water);
-            const WaterQuantities used = readQuantities(stage.renderer, camera, 0.0, eyeSize);
+            test.renderer.setOptions(options, scene.water);
+            const WaterQuantities used = readQuantities(test.renderer, camera, 0.0, eyeSize);
             std::vector<double> offSurface, offBed, offMirror;
             for (int y = 0; y < eyeSize.y; ++y) {
                 for (int x = 0; x < eyeSize.x; ++x) {
@@ -170,7 +170,7 @@ TEST(Stereo, EveryMethodFindsTheBedThroughAnObliqueFrustum)
                     const dvec3 bed = surface + bent * (2.0 / -bent.y);
                     offSurface.push_back(glm::distance(surface, dvec3(used.surface[i])));
                     if (std::max(std::abs(bed.x), std::abs(bed.z)) < 9.5)
-                        offBed.push_back(std::max(glm::distance(bed, dvec3(used.place[i])),
+                        offBed.push_back(std::max(glm::distance(bed, dvec3(used.position[i])),
                                                   glm::distance(bed, dvec3(used.picture[i]))));
                     if (used.mirrorsSky[i])
                         offMirror.push_back(glm::distance(optics64::reflectRay(ray, up), dvec3(used.mirrored[i])));
@@ -178,9 +178,9 @@ TEST(Stereo, EveryMethodFindsTheBedThroughAnObliqueFrustum)
             }
             ASSERT_GT(offBed.size(), 1000u);
             ASSERT_GT(offMirror.size(), 1000u);
-            const auto at = [](std::vector<double>& values, double share) {
+            const auto at = [](std::vector<double>& values, double fraction) {
                 std::sort(values.begin(), values.end());
-                return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+                return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1))];
             };
             const int which = static_cast<int>(mode);
             EXPECT_LT(at(offSurface, 1.0), 1e-2) << which;
@@ -196,20 +196,20 @@ TEST(Stereo, SideBySideAreTheTwoEyesPictures)
     Options one = plain();
     one.caustics.extent = 100.0f; // all of the water: else a part about the middle between the eyes, or about one
     const Options options = stereoOf(one, StereoOptions::Output::sideBySide);
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     const Camera head = overTheLake();
     for (const DebugView view : {DebugView::final, DebugView::positionA, DebugView::normals}) {
-        stage.renderer.setOptions(options, scene.water);
-        stage.renderer.render({head, 0.7, eyeSize, view});
-        const Image linear = stage.renderer.readLinear(), shown = stage.renderer.readDisplay();
+        test.renderer.setOptions(options, scene.water);
+        test.renderer.render({head, 0.7, eyeSize, view});
+        const Image linear = test.renderer.readLinear(), shown = test.renderer.readDisplay();
         ASSERT_EQ(ivec2(linear.width, linear.height), ivec2(2 * eyeSize.x, eyeSize.y));
         ASSERT_EQ(ivec2(shown.width, shown.height), ivec2(2 * eyeSize.x, eyeSize.y));
-        stage.renderer.setOptions(one, scene.water);
+        test.renderer.setOptions(one, scene.water);
         for (const Eye eye : bothEyes) {
             const int from = eye == Eye::left ? 0 : eyeSize.x;
-            stage.renderer.render({eyeCamera(head, options.stereo, eye), 0.7, eyeSize, view});
-            EXPECT_EQ(partOf(linear, from, eyeSize.x).floats, stage.renderer.readLinear().floats) << eyeName(eye);
-            EXPECT_EQ(partOf(shown, from, eyeSize.x).bytes, stage.renderer.readDisplay().bytes) << eyeName(eye);
+            test.renderer.render({eyeCamera(head, options.stereo, eye), 0.7, eyeSize, view});
+            EXPECT_EQ(partOf(linear, from, eyeSize.x).floats, test.renderer.readLinear().floats) << eyeName(eye);
+            EXPECT_EQ(partOf(shown, from, eyeSize.x).bytes, test.renderer.readDisplay().bytes) << eyeName(eye);
         }
         EXPECT_NE(partOf(shown, 0, eyeSize.x).bytes, partOf(shown, eyeSize.x, eyeSize.x).bytes);
     }
@@ -220,13 +220,13 @@ TEST(Stereo, EyesThatAreNotApartSeeWhatOneDoesBitForBit)
     const Scene scene = livelyLake();
     for (Options one : {Options{}, plain()}) {
         if (one.frame.msaa > 1) one.frame.scale = 2.0f;
-        Stage stage(scene, one);
+        TestRenderer test(scene, one);
         const Camera head = overTheLake();
-        stage.renderer.render({head, 0.7, eyeSize});
-        const Image linear = stage.renderer.readLinear(), shown = stage.renderer.readDisplay();
-        stage.renderer.setOptions(stereoOf(one, StereoOptions::Output::sideBySide, 0.0f), scene.water);
-        stage.renderer.render({head, 0.7, eyeSize});
-        const Image both = stage.renderer.readLinear(), bothShown = stage.renderer.readDisplay();
+        test.renderer.render({head, 0.7, eyeSize});
+        const Image linear = test.renderer.readLinear(), shown = test.renderer.readDisplay();
+        test.renderer.setOptions(stereoOf(one, StereoOptions::Output::sideBySide, 0.0f), scene.water);
+        test.renderer.render({head, 0.7, eyeSize});
+        const Image both = test.renderer.readLinear(), bothShown = test.renderer.readDisplay();
         for (const int from : {0, eyeSize.x}) {
             EXPECT_EQ(partOf(both, from, eyeSize.x).floats, linear.floats);
             EXPECT_EQ(partOf(bothShown, from, eyeSize.x).bytes, shown.bytes);
@@ -238,12 +238,12 @@ TEST(Stereo, AnAnaglyphIsMadeOfWhatIsShown)
 {
     const Scene scene = livelyLake();
     const Options options = stereoOf(plain(), StereoOptions::Output::sideBySide);
-    Stage stage(scene, options);
-    stage.renderer.render({overTheLake(), 0.7, eyeSize});
-    const Image beside = stage.renderer.readDisplay();
-    stage.renderer.setOptions(stereoOf(plain(), StereoOptions::Output::anaglyph), scene.water);
-    stage.renderer.render({overTheLake(), 0.7, eyeSize});
-    const Image anaglyph = stage.renderer.readDisplay();
+    TestRenderer test(scene, options);
+    test.renderer.render({overTheLake(), 0.7, eyeSize});
+    const Image beside = test.renderer.readDisplay();
+    test.renderer.setOptions(stereoOf(plain(), StereoOptions::Output::anaglyph), scene.water);
+    test.renderer.render({overTheLake(), 0.7, eyeSize});
+    const Image anaglyph = test.renderer.readDisplay();
     ASSERT_EQ(ivec2(anaglyph.width, anaglyph.height), eyeSize);
     const Image left = partOf(beside, 0, eyeSize.x), right = partOf(beside, eyeSize.x, eyeSize.x);
     const auto light = [](const Image& image, std::size_t pixel) {
@@ -257,7 +257,7 @@ TEST(Stereo, AnAnaglyphIsMadeOfWhatIsShown)
         for (std::size_t c = 0; c < 3; ++c)
             ASSERT_NEAR(static_cast<float>(anaglyph.bytes[3 * i + c]), expected[static_cast<int>(c)], 1.0f) << i;
     }
-    EXPECT_THROW(stage.renderer.readLinear(), Error);
+    EXPECT_THROW(test.renderer.readLinear(), Error);
 }
 
 // Sun maps and caustics do not depend on the eye.
@@ -266,8 +266,8 @@ TEST(Stereo, SunlightAndCausticsAreDrawnOnce)
     const Scene scene = livelyLake();
     const auto drawCalls = [&](Options options, const char* pass) {
         options.plan.rules[static_cast<std::size_t>(RuleId::cullChunks)] = false; // each eye sees other parts
-        Stage stage(scene, options);
-        FrameStats stats = stage.renderer.render({overTheLake(), 0.0, eyeSize});
+        TestRenderer test(scene, options);
+        FrameStats stats = test.renderer.render({overTheLake(), 0.0, eyeSize});
         EXPECT_EQ(std::count_if(stats.passes.begin(), stats.passes.end(),
                                 [&](const FrameStats::Pass& p) { return p.name == pass; }),
                   1);
@@ -290,13 +290,13 @@ TEST(Stereo, TheDrawnBedIsAtItsApparentDepth)
     head.up = {0.0f, 0.0f, -1.0f};
     head.verticalFov = glm::radians(8.0f);
     const double perTangent = 0.5 * eyeSize.y / std::tan(glm::radians(4.0));
-    Stage stage(scene, plain());
+    TestRenderer test(scene, plain());
     StereoOptions stereo;
     for (const double convergence : {2.0, apparent, 50.0}) {
         stereo.convergence = static_cast<float>(convergence);
         const auto points = [&](Eye eye) {
             const Camera camera = eyeCamera(head, stereo, eye);
-            return pointsShown(readQuantities(stage.renderer, camera, 0.0, eyeSize), camera, ShownBy::refraction);
+            return pointsShown(readQuantities(test.renderer, camera, 0.0, eyeSize), camera, ShownBy::refraction);
         };
         const auto found = disparities({points(Eye::left), points(Eye::right)}, scene.water, ShownBy::refraction);
         const auto& middle = found[static_cast<std::size_t>(eyeSize.y / 2 * eyeSize.x + eyeSize.x / 2)];
@@ -309,8 +309,8 @@ TEST(Stereo, TheDrawnBedIsAtItsApparentDepth)
 TEST(Stereo, QuantitiesAreOfOneEye)
 {
     const Scene scene = flatLake(2.0f);
-    Stage stage(scene, stereoOf(plain(), StereoOptions::Output::pair));
-    EXPECT_THROW(readQuantities(stage.renderer, overTheLake(), 0.0, eyeSize), Error);
+    TestRenderer test(scene, stereoOf(plain(), StereoOptions::Output::pair));
+    EXPECT_THROW(readQuantities(test.renderer, overTheLake(), 0.0, eyeSize), Error);
 }
 
 } // namespace tarn::test

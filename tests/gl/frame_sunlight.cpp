@@ -1,6 +1,6 @@
 // Shadows of the sun where geometry puts them, above the water and below it, and none where there are none.
 #include "gl_test.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "optics/optics.h"
@@ -32,7 +32,7 @@ Camera above(float floorHeight)
 Image rendered(const Scene& scene, const Camera& camera, Options options)
 {
     options.frame.msaa = 1;
-    return Studio(scene, options).linear(camera, pictureSize);
+    return CheckedRenderer(scene, options).linear(camera, pictureSize);
 }
 
 /// Red of the pixel that sees the floor at (x, z).
@@ -170,19 +170,19 @@ TEST(FrameSunlight, MapsAreDrawnOnce)
 {
     Scene scene = sunlit(45.0f, -2.0f);
     Options options;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     Camera camera = above(0.0f);
     const auto trianglesOfMaps = [&] {
-        studio.linear(camera, {64, 64});
-        EXPECT_EQ(studio.stats.passes.front().name, "sunlight");
-        return studio.stats.passes.front().triangles;
+        renderer.linear(camera, {64, 64});
+        EXPECT_EQ(renderer.stats.passes.front().name, "sunlight");
+        return renderer.stats.passes.front().triangles;
     };
     EXPECT_GT(trianglesOfMaps(), 0u);
     camera.eye.x += 1.0f;
     EXPECT_EQ(trianglesOfMaps(), 0u);
     WaterBody higher = scene.water;
     higher.level = 0.5f;
-    studio.setOptions(options, higher);
+    renderer.setOptions(options, higher);
     EXPECT_GT(trianglesOfMaps(), 0u);
 }
 

@@ -1,6 +1,6 @@
 // What Lipp's water shader does at the surface, in whole frames whose picture a formula gives.
 #include "gl_test.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "optics/optics.h"
@@ -49,11 +49,11 @@ TEST(LinearAttenuation, MixesBedAndDeepWaterByThePath)
     scene.water.colour = vec3(0.0f, 0.2f, 0.1f);
     Options options = oneSample();
     options.water.attenuation = WaterOptions::Attenuation::linear;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     for (const float length : {7.5f, 4.0f, 2.0f}) {
         options.water.attenuationLength = length;
-        studio.setOptions(options, scene.water);
-        const vec4 centre = pixel(studio.linear(upright(1.6f), pictureSize), middle.x, middle.y);
+        renderer.setOptions(options, scene.water);
+        const vec4 centre = pixel(renderer.linear(upright(1.6f), pictureSize), middle.x, middle.y);
         const double kept = std::max(1.0 - static_cast<double>(depth / length), 0.0);
         const double f = optics64::fresnelExact(1.0, 1.0 / 1.33);
         for (int c = 0; c < 3; ++c) {
@@ -70,12 +70,12 @@ TEST(LinearAttenuation, LeavesTheViewFromBelowAlone)
     scene.water.colour = vec3(0.0f, 0.2f, 0.1f);
     scene.water.absorption = vec3(0.5f, 0.2f, 0.1f);
     Options options = oneSample();
-    Studio studio(scene, options);
-    const Image exponential = studio.linear(upright(-1.5f), pictureSize);
-    ASSERT_EQ(studio.stats.plan.side, WaterSide::below);
+    CheckedRenderer renderer(scene, options);
+    const Image exponential = renderer.linear(upright(-1.5f), pictureSize);
+    ASSERT_EQ(renderer.stats.plan.side, WaterSide::below);
     options.water.attenuation = WaterOptions::Attenuation::linear;
-    studio.setOptions(options, scene.water);
-    EXPECT_EQ(studio.linear(upright(-1.5f), pictureSize).floats, exponential.floats);
+    renderer.setOptions(options, scene.water);
+    EXPECT_EQ(renderer.linear(upright(-1.5f), pictureSize).floats, exponential.floats);
 }
 
 // A black sky and a black bed: all that is seen of still water is the highlight.
@@ -90,10 +90,10 @@ TEST(PhongHighlight, IsTheFormulasOverTheWholePicture)
     options.water.specular = WaterOptions::Specular::phong;
     options.water.phongExponent = 64.0f;
     options.water.phongStrength = 3.0f;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     const Camera camera = upright(1.6f);
-    const Image image = studio.linear(camera, pictureSize);
-    const Image places = studio.linear(camera, pictureSize, 0.0, DebugView::positionU);
+    const Image image = renderer.linear(camera, pictureSize);
+    const Image places = renderer.linear(camera, pictureSize, 0.0, DebugView::positionU);
     double brightest = 0.0;
     for (int y = 0; y < pictureSize.y; ++y)
         for (int x = 0; x < pictureSize.x; ++x) {
@@ -121,16 +121,16 @@ TEST(NoReflection, ShowsTheRefractedBedAlone)
     Options options = oneSample();
     options.caustics.enabled = options.sunlight.shadows = false;
     options.water.reflects = false;
-    Studio studio(scene, options);
-    const vec4 centre = pixel(studio.linear(upright(1.6f), pictureSize), middle.x, middle.y);
-    EXPECT_FALSE(studio.stats.plan[PassId::reflection].wanted);
-    EXPECT_FALSE(studio.stats.plan[PassId::glow].wanted);
+    CheckedRenderer renderer(scene, options);
+    const vec4 centre = pixel(renderer.linear(upright(1.6f), pictureSize), middle.x, middle.y);
+    EXPECT_FALSE(renderer.stats.plan[PassId::reflection].wanted);
+    EXPECT_FALSE(renderer.stats.plan[PassId::glow].wanted);
     const double transmitted = 1.0 - optics64::fresnelExact(1.0, 1.0 / 1.33);
     const double expected = (bedRadiance + 0.5 / std::numbers::pi * transmitted) / (1.33 * 1.33);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(centre[c], expected, 0.005 * expected);
-    EXPECT_EQ(pixel(studio.linear(upright(1.6f), pictureSize, 0.0, DebugView::fresnel), middle.x, middle.y).x, 0.0f);
+    EXPECT_EQ(pixel(renderer.linear(upright(1.6f), pictureSize, 0.0, DebugView::fresnel), middle.x, middle.y).x, 0.0f);
     // No pixel claims to have mirrored anything.
-    EXPECT_EQ(pixel(studio.linear(upright(1.6f), pictureSize, 0.0, DebugView::reflectionHit), middle.x, middle.y).w,
+    EXPECT_EQ(pixel(renderer.linear(upright(1.6f), pictureSize, 0.0, DebugView::reflectionHit), middle.x, middle.y).w,
               0.0f);
 }
 
@@ -141,11 +141,11 @@ TEST(NoReflection, FromBelowTheWindowIsWhole)
     scene.water.colour = vec3(0.2f);
     Options options = oneSample();
     options.water.reflects = false;
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     Camera camera = upright(-1.5f);
     camera.verticalFov = glm::radians(120.0f);
-    const Image image = studio.linear(camera, pictureSize);
-    ASSERT_EQ(studio.stats.plan.side, WaterSide::below);
+    const Image image = renderer.linear(camera, pictureSize);
+    ASSERT_EQ(renderer.stats.plan.side, WaterSide::below);
     for (int x = 0; x < pictureSize.x; ++x) {
         const double tangent = (2.0 * (x + 0.5) / pictureSize.x - 1.0) * std::tan(glm::radians(60.0)) * 4.0 / 3.0;
         const double angle = glm::degrees(std::atan(std::abs(tangent)));
@@ -162,11 +162,11 @@ TEST(PhongHighlight, ASunBelowTheHorizonHasNone)
     Options options = oneSample();
     options.water.specular = WaterOptions::Specular::phong;
     options.water.phongStrength = 0.0f;
-    Studio studio(scene, options);
-    const Image none = studio.linear(upright(1.6f), pictureSize);
+    CheckedRenderer renderer(scene, options);
+    const Image none = renderer.linear(upright(1.6f), pictureSize);
     options.water.phongStrength = 100.0f;
-    studio.setOptions(options, scene.water);
-    EXPECT_EQ(studio.linear(upright(1.6f), pictureSize).floats, none.floats);
+    renderer.setOptions(options, scene.water);
+    EXPECT_EQ(renderer.linear(upright(1.6f), pictureSize).floats, none.floats);
 }
 
 } // namespace tarn::test

@@ -1,6 +1,6 @@
 // What an eye under water sees, and an eye that goes through the surface.
 #include "gl_test.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "optics/optics.h"
@@ -84,9 +84,9 @@ TEST(Underwater, SnellsWindow)
 {
     const Scene scene = glowingLake(10.0f, vec3(0.0f));
     const Camera camera = lookUp(0.0, 1.0f);
-    Studio studio(scene, plain());
-    const Image image = studio.linear(camera, pictureSize);
-    EXPECT_TRUE(studio.stats.plan.underwater);
+    CheckedRenderer renderer(scene, plain());
+    const Image image = renderer.linear(camera, pictureSize);
+    EXPECT_TRUE(renderer.stats.plan.underwater);
     const double critical = std::tan(std::asin(1.0 / n));
     EXPECT_NEAR(glm::degrees(std::atan(critical)), 48.75, 0.01);
     const double pixelsPerTangent = 0.5 * pictureSize.y / std::tan(0.5 * static_cast<double>(camera.verticalFov));
@@ -119,8 +119,8 @@ TEST(Underwater, EveryLegIsAbsorbed)
     scene.water.absorption = vec3(0.2f, 0.1f, 0.02f);
     const float depth = 1.0f;
     const Camera camera = lookUp(30.0, depth, 90.0f);
-    Studio studio(scene, plain());
-    const Image image = studio.linear(camera, pictureSize);
+    CheckedRenderer renderer(scene, plain());
+    const Image image = renderer.linear(camera, pictureSize);
     const Rays rays(camera, pictureSize);
     int outside = 0;
     for (int y = 0; y < pictureSize.y; ++y) {
@@ -149,9 +149,9 @@ TEST(Underwater, ThePaperHasNoTotalReflection)
     const Camera camera = lookUp(0.0, 1.0f, 100.0f);
     Options options = plain();
     options.underwater.refraction = UnderwaterOptions::Refraction::paper;
-    Studio studio(scene, options);
-    const Image image = studio.linear(camera, pictureSize);
-    const Image hits = studio.linear(camera, pictureSize, 0.0, DebugView::positionW);
+    CheckedRenderer renderer(scene, options);
+    const Image image = renderer.linear(camera, pictureSize);
+    const Image hits = renderer.linear(camera, pictureSize, 0.0, DebugView::positionW);
     const Rays rays(camera, pictureSize);
     for (int y = 0; y < pictureSize.y; ++y) {
         for (int x = 0; x < pictureSize.x; ++x) {
@@ -178,8 +178,8 @@ TEST(Underwater, WhatStandsOverTheWaterIsFoundAlongSnellsRay)
     const Camera camera = lookUp(15.0, 1.5f, 60.0f);
     Options options = plain();
     options.refraction.steps = 8;
-    Studio studio(scene, options);
-    const Image hits = studio.linear(camera, pictureSize, 0.0, DebugView::positionW);
+    CheckedRenderer renderer(scene, options);
+    const Image hits = renderer.linear(camera, pictureSize, 0.0, DebugView::positionW);
     const Rays rays(camera, pictureSize);
     int found = 0;
     double worst = 0.0;
@@ -317,9 +317,9 @@ TEST_P(SweepThrough, EveryPixelIsOfItsSide)
     Options options = plain();
     options.water.filterWaves = false;
     options.water.surfaceSteps = 0; // the colours below are those of the triangles' points
-    Studio studio(scene, options);
+    CheckedRenderer renderer(scene, options);
     options.underwater.enabled = false;
-    Studio air(scene, options); // all of it as from above
+    CheckedRenderer air(scene, options); // all of it as from above
 
     std::vector<optics64::WaveTerm> terms;
     for (const Wave& w : scene.water.waves)
@@ -333,8 +333,8 @@ TEST_P(SweepThrough, EveryPixelIsOfItsSide)
     for (int step = 0; step < sweepSteps; ++step) {
         const Camera camera = sweepCamera(step, GetParam());
         const double time = sweepTime(step);
-        const Image image = studio.linear(camera, sweepSize, time);
-        const WaterSide side = studio.stats.plan.side;
+        const Image image = renderer.linear(camera, sweepSize, time);
+        const WaterSide side = renderer.stats.plan.side;
         if (side == WaterSide::crossing) ++crossings;
         const Image fromAbove = air.linear(camera, sweepSize, time);
         const DrawnMesh mesh(scene.water, options.water.gridSize, time);
@@ -400,10 +400,10 @@ TEST_P(SweepThrough, EveryPixelIsOfItsSide)
 TEST_P(SweepThrough, NothingFlashes)
 {
     const Scene scene = sweepScene();
-    Studio studio(scene, {});
+    CheckedRenderer renderer(scene, {});
     std::vector<double> means;
     for (int step = 0; step < sweepSteps; ++step)
-        means.push_back(meanLuminance(studio.linear(sweepCamera(step, GetParam()), sweepSize, sweepTime(step))));
+        means.push_back(meanLuminance(renderer.linear(sweepCamera(step, GetParam()), sweepSize, sweepTime(step))));
     const auto [least, most] = std::minmax_element(means.begin(), means.end());
     double largest = 0.0;
     double spike = 0.0;
@@ -426,9 +426,9 @@ TEST_P(SweepThrough, NoSampleOnTheLineIsBare)
 {
     const Scene scene = sweepScene();
     Options options = plain();
-    Studio single(scene, options);
+    CheckedRenderer single(scene, options);
     options.frame.msaa = 4;
-    Studio several(scene, options);
+    CheckedRenderer several(scene, options);
     for (int step = 35; step <= 65; ++step) {
         const Image one = single.linear(sweepCamera(step, GetParam()), sweepSize, sweepTime(step));
         if (single.stats.plan.side != WaterSide::crossing) continue;

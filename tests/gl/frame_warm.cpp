@@ -6,7 +6,7 @@
 #include "render/warm_up.h"
 #include "scene/flight.h"
 #include "scene/scene_file.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -27,19 +27,19 @@ Options smallOptions(Options options)
 std::size_t builtInFlight(const Scene& scene, const Options& options, const std::vector<Camera>& cameras, int frames,
                           std::size_t& sides)
 {
-    Stage stage(scene, options);
-    const std::size_t atFirst = stage.shaders->built();
-    warmUp(stage.renderer, scene.water);
-    EXPECT_GT(stage.shaders->built(), atFirst) << "else the flight shows nothing";
-    const std::size_t before = stage.shaders->built();
+    TestRenderer test(scene, options);
+    const std::size_t atFirst = test.shaders->built();
+    warmUp(test.renderer, scene.water);
+    EXPECT_GT(test.shaders->built(), atFirst) << "else the flight shows nothing";
+    const std::size_t before = test.shaders->built();
     bool seen[3] = {};
     for (int i = 0; i < frames; ++i) {
         const Camera camera = flightCamera(cameras, i / static_cast<double>(frames - 1));
-        const FrameStats& stats = stage.renderer.render({camera, 0.1 * i, {32, 24}});
+        const FrameStats& stats = test.renderer.render({camera, 0.1 * i, {32, 24}});
         seen[static_cast<std::size_t>(stats.plan.side)] = true;
     }
     sides = static_cast<std::size_t>(seen[0]) + seen[1] + seen[2];
-    return stage.shaders->built() - before;
+    return test.shaders->built() - before;
 }
 
 } // namespace

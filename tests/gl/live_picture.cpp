@@ -9,7 +9,7 @@
 #include "render/program_builder.h"
 #include "render/renderer_source.h"
 #include "render/warm_up.h"
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -61,10 +61,10 @@ std::vector<std::uint8_t> bytesOf(const LivePicture& picture)
 /// What a renderer draws that nothing else has to do with.
 std::vector<std::uint8_t> plainBytes(const Scene& scene, const FrameRequest& request)
 {
-    Stage stage(scene, request.options);
-    stage.renderer.setOptions(request.options, request.water);
-    stage.renderer.render({request.camera, request.time, request.size, request.view});
-    return stage.renderer.display().readBytes();
+    TestRenderer test(scene, request.options);
+    test.renderer.setOptions(request.options, request.water);
+    test.renderer.render({request.camera, request.time, request.size, request.view});
+    return test.renderer.display().readBytes();
 }
 
 template <typename Condition> bool becomes(const Condition& condition)

@@ -1,5 +1,5 @@
 // What is read back of a frame, against a reference that formulas give: still water over a level bed.
-#include "studio.h"
+#include "test_renderer.h"
 #include "test_scenes.h"
 
 #include "gl/shader_library.h"
@@ -66,9 +66,9 @@ TEST(Quantities, OfStillWaterAreTheFormulas)
     scene.sun = Sun{normalize(vec3(1.0f, 2.0f, 0.0f)), vec3(10.0f), false};
     Options options;
     options.refraction.steps = 8;
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     const Camera camera = lookDown();
-    const WaterQuantities used = readQuantities(stage.renderer, camera, 0.0, pictureSize);
+    const WaterQuantities used = readQuantities(test.renderer, camera, 0.0, pictureSize);
     EXPECT_EQ(used.display.width, pictureSize.x);
     EXPECT_EQ(used.linear.height, pictureSize.y);
 
@@ -82,8 +82,8 @@ TEST(Quantities, OfStillWaterAreTheFormulas)
     EXPECT_LT(figures.reflectionMax, 0.2);
     EXPECT_LT(figures.fresnelMax, 1e-5);
     options.water.fresnel = WaterOptions::Fresnel::schlick;
-    stage.renderer.setOptions(options, scene.water);
-    const ErrorFigures bySchlick = errorFigures(readQuantities(stage.renderer, camera, 0.0, pictureSize), truth);
+    test.renderer.setOptions(options, scene.water);
+    const ErrorFigures bySchlick = errorFigures(readQuantities(test.renderer, camera, 0.0, pictureSize), truth);
     EXPECT_LT(bySchlick.fresnelMax, 0.065);
     EXPECT_GT(bySchlick.fresnelMax, 0.01);
     EXPECT_LT(figures.pathMedian, 0.005);
@@ -112,16 +112,16 @@ TEST(Quantities, ATexelsFootprintFollowsTheTarget)
     Options options;
     options.refraction.camera = RefractionOptions::CameraMode::main;
     options.refraction.fovExtensionNear = options.refraction.fovExtensionFar = 1.0f;
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     Camera camera = lookDown();
     camera.verticalFov = glm::radians(90.0f);
     const vec3 point(0.0f, -2.0f, -3.0f);
-    WaterQuantities used = readQuantities(stage.renderer, camera, 0.0, pictureSize);
+    WaterQuantities used = readQuantities(test.renderer, camera, 0.0, pictureSize);
     // At 5 m a target of 512 texels spans 10 m from top to bottom and a third more across.
     EXPECT_NEAR(used.footprint.at(point), 10.0 * 4.0 / 3.0 / 512.0, 1e-5);
     options.refraction.targetSize = 256;
-    stage.renderer.setOptions(options, scene.water);
-    used = readQuantities(stage.renderer, camera, 0.0, pictureSize);
+    test.renderer.setOptions(options, scene.water);
+    used = readQuantities(test.renderer, camera, 0.0, pictureSize);
     EXPECT_NEAR(used.footprint.at(point), 10.0 * 4.0 / 3.0 / 256.0, 1e-5);
 }
 
@@ -129,9 +129,9 @@ TEST(Quantities, ADryBasinHasNone)
 {
     Scene scene = flatLake(depth);
     scene.water.present = false;
-    Stage stage(scene, {});
+    TestRenderer test(scene, {});
     const Camera camera = lookDown();
-    const WaterQuantities used = readQuantities(stage.renderer, camera, 0.0, pictureSize);
+    const WaterQuantities used = readQuantities(test.renderer, camera, 0.0, pictureSize);
     EXPECT_FALSE(used.caustics);
     const WaterAgreement agreement = waterAgreement(used, exactPicture(camera, 1.0));
     EXPECT_EQ(agreement.both + agreement.onlyUsed, 0u);
@@ -147,10 +147,10 @@ TEST(Quantities, ThePlanarLookupIsWorseThanTheIterative)
     const reference::Picture truth = exactPicture(camera, 1.0);
     Options options;
     options.refraction.camera = RefractionOptions::CameraMode::main;
-    Stage stage(scene, options);
+    TestRenderer test(scene, options);
     const auto median = [&] {
-        stage.renderer.setOptions(options, scene.water);
-        return errorFigures(readQuantities(stage.renderer, camera, 0.0, pictureSize), truth).refractionMedian;
+        test.renderer.setOptions(options, scene.water);
+        return errorFigures(readQuantities(test.renderer, camera, 0.0, pictureSize), truth).refractionMedian;
     };
     const double iterative = median();
     options.refraction.method = RefractionOptions::Method::planar;

@@ -172,10 +172,10 @@ TEST_F(OpticsGl, Refraction)
          },
          1e-6f},
         {"fresnelTable",
-         "vec4(fresnelTablePlace(a.y, 1024, true), fresnelTablePlace(1.1 * b.y, 64, false),"
+         "vec4(fresnelTableCoordinate(a.y, 1024, true), fresnelTableCoordinate(1.1 * b.y, 64, false),"
          " fresnelTableCosine(int(63.0 * a.w), 64, true), fresnelTableCosine(int(63.0 * b.w), 64, false))",
          [](const Inputs& i) {
-             return vec4(fresnelTablePlace(i.a.y, 1024, true), fresnelTablePlace(1.1f * i.b.y, 64, false),
+             return vec4(fresnelTableCoordinate(i.a.y, 1024, true), fresnelTableCoordinate(1.1f * i.b.y, 64, false),
                          fresnelTableCosine(static_cast<int>(63.0f * i.a.w), 64, true),
                          fresnelTableCosine(static_cast<int>(63.0f * i.b.w), 64, false));
          }},
@@ -267,15 +267,16 @@ TEST_F(OpticsGl, Sunlight)
     auto raised = [](const vec4& v) { return vec3(v.x, v.y + 0.1f, v.z); };
     const std::string toSun = "vec3(a.x, a.y + 0.1, a.z)";
     check({
-        {"sunPlane", ("vec4(sunPlane(5.0 * b.xyz, 0.5, sunSlant(" + toSun + ")), 0.0, 0.0)").c_str(),
-         [raised](const Inputs& i) { return vec4(sunPlane(5.0f * xyz(i.b), 0.5f, sunSlant(raised(i.a))), 0.0f, 0.0f); },
+        {"sunPlane", ("vec4(sunPlane(5.0 * b.xyz, 0.5, sunShear(" + toSun + ")), 0.0, 0.0)").c_str(),
+         [raised](const Inputs& i) { return vec4(sunPlane(5.0f * xyz(i.b), 0.5f, sunShear(raised(i.a))), 0.0f, 0.0f); },
          1e-5f},
-        {"sunPlaneGradient", ("vec4(sunPlaneGradient(b.xyz, sunSlant(" + toSun + ")), 0.0, 0.0)").c_str(),
-         [raised](const Inputs& i) { return vec4(sunPlaneGradient(xyz(i.b), sunSlant(raised(i.a))), 0.0f, 0.0f); },
+        {"sunPlaneGradient", ("vec4(sunPlaneGradient(b.xyz, sunShear(" + toSun + ")), 0.0, 0.0)").c_str(),
+         [raised](const Inputs& i) { return vec4(sunPlaneGradient(xyz(i.b), sunShear(raised(i.a))), 0.0f, 0.0f); },
          1e-3f}, // the divisor passes through zero: it magnifies rounding up to the limit
-        {"photonWeight", "vec4(photonWeight(1.5 * a.xz), photonShare(a.w + 0.1, b.w + 0.1), 0.0, 0.0)",
+        {"photonWeight", "vec4(photonWeight(1.5 * a.xz), photonFraction(a.w + 0.1, b.w + 0.1), 0.0, 0.0)",
          [](const Inputs& i) {
-             return vec4(photonWeight(1.5f * vec2(i.a.x, i.a.z)), photonShare(i.a.w + 0.1f, i.b.w + 0.1f), 0.0f, 0.0f);
+             return vec4(photonWeight(1.5f * vec2(i.a.x, i.a.z)), photonFraction(i.a.w + 0.1f, i.b.w + 0.1f), 0.0f,
+                         0.0f);
          },
          1e-5f},
     });
@@ -309,7 +310,7 @@ TEST_F(OpticsGl, WavesOneByOne)
     const char* const glsl = "WaveTerm(4.0 * a.xz, 3.0 * b.w, 6.0 * c.w, 0.1, 4.0 * a.w, 0.0, 0.0)";
     const std::string sine = std::string("vec4(waveTerm(") + glsl + ", 10.0 * b.xz, 7.0 * c.y), 0.0)";
     const std::string filter =
-        std::string("vec4(waveFilter(") + glsl + ", 2.0 * b.w), waveLostVariance(" + glsl + ", c.w), 0.0, 0.0)";
+        std::string("vec4(waveFilter(") + glsl + ", 2.0 * b.w), waveFilteredVariance(" + glsl + ", c.w), 0.0, 0.0)";
     const std::string overPixel = std::string("vec4(waveFilterOverPixel(") + glsl + ", 0.5 * b.xz, 0.5 * c.zx))";
     check({
         // An angle of 70 rad is rounded to 4e-6.
@@ -323,7 +324,7 @@ TEST_F(OpticsGl, WavesOneByOne)
          }},
         {"waveFilter", filter.c_str(),
          [term](const Inputs& i) {
-             return vec4(waveFilter(term(i), 2.0f * i.b.w), waveLostVariance(term(i), i.c.w), 0, 0);
+             return vec4(waveFilter(term(i), 2.0f * i.b.w), waveFilteredVariance(term(i), i.c.w), 0, 0);
          }},
         {"waveNormal", "vec4(waveNormal(a.xz), 0.0)",
          [](const Inputs& i) { return wide(waveNormal(vec2(i.a.x, i.a.z))); }},
@@ -340,11 +341,12 @@ TEST_F(OpticsGl, NormalMap)
              return vec4(normalMapSlope(sum, 0.1f + i.c.w), 0.0f, 0.0f);
          },
          1e-5f},
-        {"normalMapRoughness",
-         "vec4(normalMapLostVariance(vec4(a.x, a.y + 0.2, a.z, 40.0 * b.w)), normalMapRoughness(b.w, c.w), 0.0, 0.0)",
+        {"normalMapSlopeVariance",
+         "vec4(normalMapLostVariance(vec4(a.x, a.y + 0.2, a.z, 40.0 * b.w)), normalMapSlopeVariance(b.w, c.w), 0.0, "
+         "0.0)",
          [](const Inputs& i) {
              return vec4(normalMapLostVariance(vec4(i.a.x, i.a.y + 0.2f, i.a.z, 40.0f * i.b.w)),
-                         normalMapRoughness(i.b.w, i.c.w), 0.0f, 0.0f);
+                         normalMapSlopeVariance(i.b.w, i.c.w), 0.0f, 0.0f);
          },
          1e-5f},
     });
@@ -363,10 +365,10 @@ TEST_F(OpticsGl, WaveSumOfTheUniformBlock)
     check({
         {"waveSum",
          "vec4(waveSum(5, 3.0 * a.xz, a.w, 0.5 * b.w).height, waveSum(5, 3.0 * a.xz, a.w, 0.5 * b.w).slope,"
-         " waveSum(5, 3.0 * a.xz, a.w, 0.5 * b.w).lostVariance)",
+         " waveSum(5, 3.0 * a.xz, a.w, 0.5 * b.w).filteredVariance)",
          [&](const Inputs& i) {
              const auto s = optics::waveSum(block.waves, 5, 3.0f * vec2(i.a.x, i.a.z), i.a.w, 0.5f * i.b.w);
-             return vec4(s.height, s.slope, s.lostVariance);
+             return vec4(s.height, s.slope, s.filteredVariance);
          },
          1e-5f},
     });

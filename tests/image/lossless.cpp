@@ -107,11 +107,11 @@ bool isLossless(const Case& test, const Scene& scene, Renderer& renderer)
 
 int checkLossless(const Group& group)
 {
-    const Stage stage = loadStage({group.scene, {}, {}}, nullptr);
-    Session session(stage, {320, 240}, nullptr);
+    const SceneSetup sceneSetup = loadSceneSetup({group.scene, {}, {}}, nullptr);
+    Session session(sceneSetup, {320, 240}, nullptr);
     int failures = 0;
     for (const Case& test : group.cases) {
-        if (isLossless(test, stage.scene, session.renderer())) continue;
+        if (isLossless(test, sceneSetup.scene, session.renderer())) continue;
         fmt::print("{}: the plan loses more than its rules allow\n", test.name);
         ++failures;
     }

@@ -39,12 +39,12 @@ void renderGroup(const Group& group)
         std::filesystem::remove(filesOf(test.name).actual);
         std::filesystem::remove(filesOf(test.name).problem);
     }
-    const Stage stage = loadStage({group.scene, {}, {}}, nullptr);
-    Session session(stage, {320, 240}, nullptr);
+    const SceneSetup sceneSetup = loadSceneSetup({group.scene, {}, {}}, nullptr);
+    Session session(sceneSetup, {320, 240}, nullptr);
     session.renderer().setChecking(true);
     for (const Case& test : group.cases) {
         try {
-            renderCase(test, stage.scene, session.renderer());
+            renderCase(test, sceneSetup.scene, session.renderer());
         } catch (const std::exception& error) {
             writeFile(filesOf(test.name).problem, error.what());
             fmt::print("{}: {}\n", test.name, error.what());

@@ -329,12 +329,12 @@ test_budget() {
 test_maps() {
     local scenes=$project/tests/image/scenes marched=(--set refraction.method=raycast --set reflection.method=raycast)
     call 0 maps "$scenes/post.toml" --set heights.map_size=128 --out m --json j.json
-    only_in_out m/bed.exr m/afloat.exr j.json
-    [[ $(cat "$work/stdout") == $'m/bed.exr\nm/afloat.exr' ]] || fail "the files are not named"
-    grep -q '"edge": 128' j.json || fail "the JSON does not tell the maps' size"
-    { cat "$scenes/post.toml"; printf '[maps.bed]\nfile = "m/bed.exr"\n[maps.afloat]\nfile = "m/afloat.exr"\n'; } >given.toml
+    only_in_out m/bed.exr m/above_water.exr j.json
+    [[ $(cat "$work/stdout") == $'m/bed.exr\nm/above_water.exr' ]] || fail "the files are not named"
+    grep -q '"resolution": 128' j.json || fail "the JSON does not tell the maps' size"
+    { cat "$scenes/post.toml"; printf '[maps.bed]\nfile = "m/bed.exr"\n[maps.above_water]\nfile = "m/above_water.exr"\n'; } >given.toml
     call 0 explain given.toml "${marched[@]}"
-    grep -Eq "heights .*bed\.exr gives the map 'bed'; afloat\.exr gives" "$work/stdout" || fail "explain does not name the maps"
+    grep -Eq "heights .*bed\.exr gives the map 'bed'; above_water\.exr gives" "$work/stdout" || fail "explain does not name the maps"
     call 0 render "$scenes/post.toml" --size 80x60 "${marched[@]}" --set heights.map_size=128 --out a.png
     call 0 render given.toml --size 80x60 "${marched[@]}" --check --out b.png
     [[ ! -s $work/stderr ]] || fail "something was said of maps of the same light"
@@ -345,8 +345,8 @@ test_maps() {
     head -c 500 m/bed.exr >broken.exr
     sed 's:m/bed:broken:' given.toml >broken.toml
     refuse 1 'broken\.toml:[0-9]+: broken\.exr: .*(damaged|not a readable)' render broken.toml --out d.png
-    sed 's:m/bed:m/afloat:' given.toml >other.toml
-    refuse 1 'other\.toml:[0-9]+: m/afloat\.exr: has no channel height' render other.toml --out d.png
+    sed 's:m/bed:m/above_water:' given.toml >other.toml
+    refuse 1 'other\.toml:[0-9]+: m/above_water\.exr: has no channel height' render other.toml --out d.png
     sed 's:m/bed:none:' given.toml >missing.toml
     refuse 1 'none\.exr: no such picture' render missing.toml --out d.png
     refuse 1 'has no water' maps "$scenes/materials.toml" --out n
@@ -364,16 +364,16 @@ test_trade() {
     done
     grep -q 'surface_steps=0' t/results.csv || fail "the table does not have the swept option"
     grep -Eq '"flip": 0\.[0-9]+' t/results.json || fail "no mean FLIP between 0 and 1 was measured"
-    grep -Eq '"median_ms": [0-9.]+' t/results.json || fail "no price was measured"
+    grep -Eq '"median_ms": [0-9.]+' t/results.json || fail "no cost was measured"
     cp t/results.csv first.csv
     local column
-    column=$(head -1 t/results.csv | tr ',' '\n' | grep -nx 'refraction.stepped_over' | cut -d: -f1)
+    column=$(head -1 t/results.csv | tr ',' '\n' | grep -nx 'refraction.missed' | cut -d: -f1)
     grep '^[0-9a-f]*,"heights.march=classic, refraction.method=raycast",sweep,mean' t/results.csv | cut -d, -f$((column + 1)) |
         grep -Eq '^0\.[0-9]*[1-9]' || fail "what the classic march steps over is not counted"
     grep '^[0-9a-f]*,refraction.method=raycast,sweep,mean' t/results.csv | cut -d, -f"$column" | grep -qx 0 ||
         fail "the pyramid march stepped over something"
     grep -q 'heights.march (refraction.method=raycast)' t/report.html || fail "the report does not show the marches"
-    grep -q 'refraction.stepped_over' t/report.html || fail "the report does not show what is stepped over"
+    grep -q 'refraction.missed' t/report.html || fail "the report does not show what is stepped over"
     call 0 trade "$waves" --out t --size 48x36 --samples 2 --frames 2 --times 0.5 --sweep water.surface_steps=0,1 \
         --sweep refraction.steps=1,4 --sweep "$march"
     cmp -s first.csv t/results.csv || fail "a second run did not take up the first one's results"

@@ -62,7 +62,7 @@ TEST(AlphaMips, ComeFromTheCacheAsTheyAreMade)
         EXPECT_EQ(filesIn(folder.path()), 1) << when;
     }
     // Everything that the levels depend on is in the key.
-    EXPECT_NE(bytesOf(cutOutMips(image, cutOut, CutOutLevels::shares, cache)), made);
+    EXPECT_NE(bytesOf(cutOutMips(image, cutOut, CutOutLevels::coverage, cache)), made);
     EXPECT_NE(bytesOf(cutOutMips(image, {3, 0.9f, true}, CutOutLevels::covering, cache)), made);
     image.bytes[5] ^= 0x80;
     EXPECT_EQ(bytesOf(cutOutMips(image, cutOut, CutOutLevels::covering, cache)),
@@ -147,7 +147,7 @@ TEST(AlphaMips, SharesKeepTheirMeanAndStartAtTheCutoff)
             cutOut.cutoff = static_cast<float>(cutoff);
             const double wanted = coverageOf(image, cutOut);
             ASSERT_GT(wanted, 0.05);
-            for (const Image& level : cutOutMips(image, cutOut, CutOutLevels::shares)) {
+            for (const Image& level : cutOutMips(image, cutOut, CutOutLevels::coverage)) {
                 double sum = 0.0;
                 for (std::size_t i = 3; i < level.bytes.size(); i += 4) sum += level.bytes[i] / 255.0;
                 // Half a byte of rounding in each texel.

@@ -2,7 +2,7 @@
 
 #include "app/picture_header.h"
 #include "app/reference_view.h"
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "base/error.h"
 
 #include <gtest/gtest.h>
@@ -10,16 +10,16 @@
 namespace tarn {
 namespace {
 
-Stage lake()
+SceneSetup lake()
 {
-    Stage stage;
-    stage.scene.file = "lake.toml";
-    stage.scene.cameras.resize(2);
-    stage.scene.cameras[0].name = "first";
-    stage.scene.cameras[0].farPlane = 300.0f;
-    stage.scene.cameras[1].name = "shore";
-    stage.scene.cameras[1].farPlane = 777.0f;
-    return stage;
+    SceneSetup sceneSetup;
+    sceneSetup.scene.file = "lake.toml";
+    sceneSetup.scene.cameras.resize(2);
+    sceneSetup.scene.cameras[0].name = "first";
+    sceneSetup.scene.cameras[0].farPlane = 300.0f;
+    sceneSetup.scene.cameras[1].name = "shore";
+    sceneSetup.scene.cameras[1].farPlane = 777.0f;
+    return sceneSetup;
 }
 
 Camera crooked()
@@ -45,22 +45,22 @@ std::string complaint(const reference::Picture& picture)
 
 TEST(ReferenceView, AnEyesShearedFrustumComesBackToo)
 {
-    const Stage stage = lake();
+    const SceneSetup sceneSetup = lake();
     Camera eye = crooked();
     eye.lensShift = 0.0123f;
     reference::Picture picture(ivec2(2, 2));
-    picture.metadata = pictureHeader(stage, eye, 0.0);
-    EXPECT_EQ(referenceView(picture, stage.scene, "truth.exr").camera.lensShift, eye.lensShift);
+    picture.metadata = pictureHeader(sceneSetup, eye, 0.0);
+    EXPECT_EQ(referenceView(picture, sceneSetup.scene, "truth.exr").camera.lensShift, eye.lensShift);
     EXPECT_FALSE(isSameView(eye, crooked()));
-    EXPECT_EQ(pictureHeader(stage, crooked(), 0.0).at("tarn:camera").find("lens"), std::string::npos);
+    EXPECT_EQ(pictureHeader(sceneSetup, crooked(), 0.0).at("tarn:camera").find("lens"), std::string::npos);
 }
 
 TEST(ReferenceView, ComesBackFromTheHeader)
 {
-    const Stage stage = lake();
+    const SceneSetup sceneSetup = lake();
     reference::Picture picture(ivec2(2, 2));
-    picture.metadata = pictureHeader(stage, crooked(), 1.0 / 3.0);
-    const ReferenceView view = referenceView(picture, stage.scene, "truth.exr");
+    picture.metadata = pictureHeader(sceneSetup, crooked(), 1.0 / 3.0);
+    const ReferenceView view = referenceView(picture, sceneSetup.scene, "truth.exr");
     EXPECT_EQ(view.camera.name, "shore");
     EXPECT_EQ(view.camera.eye, crooked().eye);
     EXPECT_EQ(view.camera.target, crooked().target);
@@ -72,8 +72,8 @@ TEST(ReferenceView, ComesBackFromTheHeader)
 
     Camera unnamed = crooked();
     unnamed.name = "gone";
-    picture.metadata = pictureHeader(stage, unnamed, 0.0);
-    EXPECT_EQ(referenceView(picture, stage.scene, "truth.exr").camera.farPlane, 300.0f);
+    picture.metadata = pictureHeader(sceneSetup, unnamed, 0.0);
+    EXPECT_EQ(referenceView(picture, sceneSetup.scene, "truth.exr").camera.farPlane, 300.0f);
 }
 
 TEST(ReferenceView, AHeaderThatDoesNotSayIsAnError)

@@ -1,8 +1,8 @@
 // Who wins when several places set an option, the names of output files, and the choice of a camera.
 
 #include "app/output.h"
+#include "app/scene_setup.h"
 #include "app/settings.h"
-#include "app/stage.h"
 #include "base/error.h"
 #include "base/files.h"
 

@@ -1,7 +1,7 @@
 // Which part of a picture's error each approximation owns: the sums, and the approximations that the
 // reference makes.
 #include "app/error_budget.h"
-#include "app/trade_lab.h"
+#include "app/trade_experiment.h"
 #include "measure/trade/trade_json.h"
 #include "test_scenes.h"
 

@@ -30,7 +30,7 @@ struct Pair {
             const vec3 ray = glm::normalize(surface - used.eye);
             used.isWater[pixel] = used.hasSample[pixel] = used.mirrorsSky[pixel] = 1;
             used.surface[pixel] = truth.surface[pixel] = surface;
-            used.place[pixel] = used.picture[pixel] = truth.refractionHit[pixel] = hit;
+            used.position[pixel] = used.picture[pixel] = truth.refractionHit[pixel] = hit;
             used.mirrored[pixel] = vec3(ray.x, -ray.y, ray.z);
             truth.normal[pixel] = vec3(0.0f, 1.0f, 0.0f);
             used.fresnel[pixel] = truth.fresnel[pixel] = 0.25f;
@@ -62,7 +62,7 @@ TEST(WaterErrors, PercentilesAndSharesOfKnownDistances)
 {
     Pair p(101);
     for (std::size_t i = 0; i < 101; ++i) {
-        p.used.place[i].z += 0.01f * static_cast<float>(i);
+        p.used.position[i].z += 0.01f * static_cast<float>(i);
         p.used.picture[i].z += 0.005f * static_cast<float>(i);
     }
     p.used.footprint.edgePerMetre = 0.0;
@@ -83,9 +83,9 @@ TEST(WaterErrors, PercentilesAndSharesOfKnownDistances)
 TEST(WaterErrors, TheFartherOfPlaceAndPictureCounts)
 {
     Pair p(2);
-    p.used.place[0].x += 0.3f;
+    p.used.position[0].x += 0.3f;
     p.used.picture[0].x += 0.1f;
-    p.used.place[1].x += 0.1f;
+    p.used.position[1].x += 0.1f;
     p.used.picture[1].x += 0.3f;
     EXPECT_NEAR(*errorAt(ErrorKind::refraction, p.used, p.truth, 0), 0.3, 1e-6);
     EXPECT_NEAR(*errorAt(ErrorKind::refraction, p.used, p.truth, 1), 0.3, 1e-6);
@@ -114,7 +114,7 @@ HeightField bedWithWall(int column)
 {
     HeightField field;
     field.rect = {vec2(0.0f), vec2(8.0f)};
-    field.edge = 16;
+    field.resolution = 16;
     field.lowest = -3.0f;
     for (int i = 0; i < 256; ++i) field.heights.push_back(i % 16 == column ? -0.5f : -1.0f);
     return field;
@@ -124,21 +124,22 @@ HeightField bedWithWall(int column)
 TEST(WaterErrors, ARayThatPassesWhatTheMapHoldsHasSteppedOverIt)
 {
     Pair p(4);
-    EXPECT_TRUE(std::isnan(errorFigures(p.used, p.truth).refractionSteppedOver)) << "no map";
+    EXPECT_TRUE(std::isnan(errorFigures(p.used, p.truth).refractionMissed)) << "no map";
     p.used.heights = bedWithWall(8);
     for (std::size_t i = 0; i < 4; ++i) p.used.surface[i] = vec3(0.0f);
     // The ramp rises from -1 at x = -0.5 to -0.5 at 0.5: y = -0.75 + x / 2.
-    p.used.place = {vec3(0.5f, -0.5f, 0.0f), vec3(1.1f, -1.1f, 0.0f), vec3(2.0f, -2.0f, 0.0f), vec3(0.5f, -0.5f, 0.0f)};
+    p.used.position = {vec3(0.5f, -0.5f, 0.0f), vec3(1.1f, -1.1f, 0.0f), vec3(2.0f, -2.0f, 0.0f),
+                       vec3(0.5f, -0.5f, 0.0f)};
     ErrorFigures figures = errorFigures(p.used, p.truth);
-    EXPECT_DOUBLE_EQ(figures.refractionSteppedOver, 0.25) << "over a texel behind it, but not less";
+    EXPECT_DOUBLE_EQ(figures.refractionMissed, 0.25) << "over a texel behind it, but not less";
     p.used.hasSample[3] = 0;
     figures = errorFigures(p.used, p.truth);
-    EXPECT_DOUBLE_EQ(figures.refractionSteppedOver, 0.5) << "and what found nothing though there is something";
+    EXPECT_DOUBLE_EQ(figures.refractionMissed, 0.5) << "and what found nothing though there is something";
     p.truth.events[2] |= Event::fromBelow;
     figures = errorFigures(p.used, p.truth);
-    EXPECT_DOUBLE_EQ(figures.refractionSteppedOver, 1.0 / 3.0) << "seen from below no ray is marched";
-    p.used.place.assign(4, vec3(0.0f));
-    EXPECT_DOUBLE_EQ(errorFigures(p.used, p.truth).refractionSteppedOver, 0.0) << "a ray that ends where it starts";
+    EXPECT_DOUBLE_EQ(figures.refractionMissed, 1.0 / 3.0) << "seen from below no ray is marched";
+    p.used.position.assign(4, vec3(0.0f));
+    EXPECT_DOUBLE_EQ(errorFigures(p.used, p.truth).refractionMissed, 0.0) << "a ray that ends where it starts";
 }
 
 TEST(WaterErrors, ReflectionIsAnAngleFromTheTrueSurface)
@@ -271,7 +272,7 @@ CausticsMap ramp(float border = 0.0f)
     CausticsMap map;
     map.region = {{vec2(1.0f, 2.0f), vec2(2.0f)}, border};
     map.water = {vec2(0.0f), vec2(100.0f)};
-    map.edge = 8;
+    map.resolution = 8;
     map.toSun = vec3(0.0f, 1.0f, 0.0f);
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x)

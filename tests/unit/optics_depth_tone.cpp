@@ -40,15 +40,15 @@ TEST(Depth, FloatKeepsTheEndsAtExtremeRatios)
 TEST(Depth, QuantisationTo24BitsCostsWhatTheDerivativeSays)
 {
     const double near = 0.1, far = 1000.0, unit = 1.0 / ((1 << 24) - 1);
-    double worstShare = 0.0;
+    double worstFraction = 0.0;
     for (double z = -0.2; z > -900.0; z *= 1.013) {
         const double stored = std::round(optics64::depthFromViewZ(z, near, far) / unit) * unit;
         const double error = std::abs(optics64::viewZFromDepth(stored, near, far) - z);
         const double resolution = optics64::viewZPerDepth(z, near, far) * unit;
         EXPECT_LE(error, 0.51 * resolution + 1e-12) << z;
-        worstShare = std::max(worstShare, error / resolution);
+        worstFraction = std::max(worstFraction, error / resolution);
     }
-    EXPECT_GT(worstShare, 0.4);
+    EXPECT_GT(worstFraction, 0.4);
     // What that means for the lake: a tenth of a millimetre at 10 m.
     EXPECT_NEAR(optics64::viewZPerDepth(-10.0, near, far) * unit, 6.0e-5, 1.0e-6);
 }

@@ -114,8 +114,8 @@ TEST(FresnelTable, PlacesInFloatAreThoseInDouble)
     for (int i = 0; i <= 1000; ++i)
         for (const bool blends : {false, true}) {
             const double cosine = i / 1000.0;
-            EXPECT_NEAR(static_cast<double>(optics::fresnelTablePlace(static_cast<float>(cosine), 1024, blends)),
-                        optics64::fresnelTablePlace(cosine, 1024, blends), 1e-6);
+            EXPECT_NEAR(static_cast<double>(optics::fresnelTableCoordinate(static_cast<float>(cosine), 1024, blends)),
+                        optics64::fresnelTableCoordinate(cosine, 1024, blends), 1e-6);
         }
 }
 
@@ -125,8 +125,9 @@ TEST(FresnelTable, TexelsAreFoundWhereTheyStand)
     for (const int size : {16, 255, 1024})
         for (const bool blends : {false, true})
             for (int i = 0; i < size; ++i)
-                EXPECT_NEAR(optics64::fresnelTablePlace(optics64::fresnelTableCosine(i, size, blends), size, blends),
-                            (i + 0.5) / size, 1e-12);
+                EXPECT_NEAR(
+                    optics64::fresnelTableCoordinate(optics64::fresnelTableCosine(i, size, blends), size, blends),
+                    (i + 0.5) / size, 1e-12);
 }
 
 } // namespace

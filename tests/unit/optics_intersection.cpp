@@ -74,15 +74,15 @@ struct Lake {
 
 struct Errors {
     std::vector<double> metres, texels; ///< of each pixel, sorted
-    double metresAt(double share) const
+    double metresAt(double fraction) const
     {
-        return metres.at(static_cast<std::size_t>(share * double(metres.size() - 1)));
+        return metres.at(static_cast<std::size_t>(fraction * double(metres.size() - 1)));
     }
-    double texelsAt(double share) const
+    double texelsAt(double fraction) const
     {
-        return texels.at(static_cast<std::size_t>(share * double(texels.size() - 1)));
+        return texels.at(static_cast<std::size_t>(fraction * double(texels.size() - 1)));
     }
-    double shareOver(double limit) const
+    double fractionOver(double limit) const
     {
         return double(metres.end() - std::upper_bound(metres.begin(), metres.end(), limit)) / double(metres.size());
     }
@@ -104,8 +104,8 @@ Viewer refractionViewer(const Lake& lake, const Viewer& main)
     return viewer;
 }
 
-/// One error per pixel after `looks` looks at the depth; looks = 0: the planar approximation.
-Errors run(const Lake& lake, int looks, bool takesLast = false)
+/// One error per pixel after `depthSamples` samples of the depth; 0: the planar approximation.
+Errors run(const Lake& lake, int depthSamples, bool takesLast = false)
 {
     const double a = lake.incidence * degree;
     Viewer main;
@@ -143,9 +143,9 @@ Errors run(const Lake& lake, int looks, bool takesLast = false)
         const dvec3 u = viewer.pointV(point), r = viewer.directionV(refracted);
         const dvec3 first = optics64::seenThrough(u, depth(u));
         dvec3 w = optics64::planarIntersection(u, r, first);
-        if (looks > 0) {
+        if (depthSamples > 0) {
             auto state = optics64::intersectionBegin(u, r, first);
-            for (int i = 1; i < looks; ++i) state = optics64::intersectionStep(state, depth(state.W));
+            for (int i = 1; i < depthSamples; ++i) state = optics64::intersectionStep(state, depth(state.W));
             if (takesLast) state = optics64::intersectionEnd(state);
             w = state.best;
         }
@@ -218,22 +218,22 @@ TEST(IntersectionSearch, BeginsWithThePlanarApproximation)
     EXPECT_NEAR(glm::length(state.W - u), glm::length(a - u), 1e-14);
 }
 
-/// A flat bed is found exactly by the first intersection: three looks, whatever the angle, waves or none.
+/// A flat bed is found exactly by the first intersection: three samples, whatever the angle, waves or none.
 TEST(IntersectionSearch, FlatBedIsExactAfterThreeLooks)
 {
     for (bool turned : {false, true})
         for (bool waves : {false, true})
             for (double incidence : {0.1, 15.0, 30.0, 45.0, 60.0, 75.0, 80.0, 85.0}) {
                 Lake lake{flat, waves ? threeWaves() : std::vector<optics64::WaveTerm>{}, incidence, turned};
-                for (int looks : {3, 4, 8}) {
-                    const Errors errors = run(lake, looks);
+                for (int depthSamples : {3, 4, 8}) {
+                    const Errors errors = run(lake, depthSamples);
                     ASSERT_GT(errors.metres.size(), 200u) << incidence;
-                    EXPECT_LT(errors.metres.back(), 1e-8) << incidence << ' ' << looks << ' ' << turned << waves;
+                    EXPECT_LT(errors.metres.back(), 1e-8) << incidence << ' ' << depthSamples << ' ' << turned << waves;
                 }
             }
 }
 
-/// With whole texels of 512² and eight looks the lookup still lands within a texel of Snell's answer.
+/// With whole texels of 512² and eight samples of the depth the lookup still lands within a texel of Snell's answer.
 TEST(IntersectionSearch, FlatBedStaysWithinATexelWhenDepthIsATexels)
 {
     for (bool turned : {false, true})
@@ -271,13 +271,15 @@ TEST(IntersectionSearch, TheLastProposalIsWorthALook)
         for (double incidence : {15.0, 30.0, 60.0, 75.0}) {
             EXPECT_LT(run({flat, threeWaves(), incidence, turned}, 2, true).metres.back(), 1e-8) << incidence;
             const Lake smooth{bowl, threeWaves(), incidence, turned};
-            for (int looks : {2, 3, 4})
-                EXPECT_LE(run(smooth, looks, true).metresAt(0.5), 1.05 * run(smooth, looks + 1).metresAt(0.5))
-                    << incidence << ' ' << looks;
+            for (int depthSamples : {2, 3, 4})
+                EXPECT_LE(run(smooth, depthSamples, true).metresAt(0.5),
+                          1.05 * run(smooth, depthSamples + 1).metresAt(0.5))
+                    << incidence << ' ' << depthSamples;
             const Lake broken{brokenBowl, threeWaves(), incidence, turned};
-            for (int looks : {2, 3, 4, 8})
-                EXPECT_LE(run(broken, looks, true).shareOver(0.05), run(broken, looks).shareOver(0.05) + 0.005)
-                    << incidence << ' ' << looks;
+            for (int depthSamples : {2, 3, 4, 8})
+                EXPECT_LE(run(broken, depthSamples, true).fractionOver(0.05),
+                          run(broken, depthSamples).fractionOver(0.05) + 0.005)
+                    << incidence << ' ' << depthSamples;
         }
     // After one look it is the planar approximation.
     const Lake lake{bowl, threeWaves(), 60.0, true};
@@ -290,9 +292,9 @@ TEST(IntersectionSearch, DiscontinuitiesLeaveATail)
     const Lake lake{brokenBowl, threeWaves(), 60.0, true};
     const Errors errors = run(lake, 8);
     EXPECT_LT(errors.metresAt(0.5), 1e-4);
-    EXPECT_LT(errors.shareOver(0.05), 0.03);
-    // More looks never make the share of wrong hits much worse.
-    EXPECT_LE(run(lake, 16).shareOver(0.05), errors.shareOver(0.05) + 0.005);
+    EXPECT_LT(errors.fractionOver(0.05), 0.03);
+    // More samples never make the fraction of wrong hits much worse.
+    EXPECT_LE(run(lake, 16).fractionOver(0.05), errors.fractionOver(0.05) + 0.005);
 }
 
 /// The W that is kept is the one with the least |A - W| of those looked at.

@@ -127,14 +127,14 @@ TEST(BlinnPhong, ReflectsKs)
             auto reflected = [&](dvec3 light) {
                 return optics64::blinnPhong(glm::normalize(eye + light).y, shininess) * light.y;
             };
-            const double share = integral(reflected, 0.5 * pi64);
+            const double fraction = integral(reflected, 0.5 * pi64);
             if (zenith == 0.0) {
-                EXPECT_NEAR(share, 1.0, 0.002) << shininess;
+                EXPECT_NEAR(fraction, 1.0, 0.002) << shininess;
             }
-            EXPECT_LE(share, 1.002) << shininess << ' ' << zenith;
+            EXPECT_LE(fraction, 1.002) << shininess << ' ' << zenith;
             // At grazing angles half of the lobe points below the surface; that light is lost.
             if (zenith <= 60.0) {
-                EXPECT_GT(share, 0.2) << shininess << ' ' << zenith;
+                EXPECT_GT(fraction, 0.2) << shininess << ' ' << zenith;
             }
         }
     }
@@ -142,7 +142,7 @@ TEST(BlinnPhong, ReflectsKs)
     EXPECT_NEAR(optics::blinnPhong(0.0f, 0.0f), 1.0f / std::numbers::pi_v<float>, 1e-6f);
 }
 
-/// Mean of the glint's reflectance over sun directions, for one eye: the share of a uniform sky's light that
+/// Mean of the glint's reflectance over sun directions, for one eye: the fraction of a uniform sky's light that
 /// rough water would mirror, F = 1. Integrated over facets, where the lobe is wide: dω = 4 cos(facet, eye)
 /// dω_facet.
 double glintReflectance(double zenith, double variance)
@@ -210,7 +210,7 @@ TEST(SunGlint, CalmWaterShowsTheSunAsBrightAsItIs)
     EXPECT_NEAR(peak, 100.0 / optics64::sunSolidAngle, 1.0);
 }
 
-/// Lipp's listing in its own terms: R = 2 (N·L) N - L, then (R·E)^n times colour, strength and Fresnel's share.
+/// Lipp's listing in its own terms: R = 2 (N·L) N - L, then (R·E)^n times colour, strength and Fresnel's fraction.
 TEST(PhongGlint, IsLippsListing)
 {
     const dvec3 sun = fromAngles(0.6, 0.3), eye = fromAngles(0.65, 0.35 + pi64);

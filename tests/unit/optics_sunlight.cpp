@@ -16,10 +16,10 @@ TEST(OpticsSunlight, APlaceIsKeptAlongTheLight)
     const double level = 1.5;
     for (const double elevation : {0.05, 0.4, 1.0, 1.5}) {
         const dvec3 toSun(std::cos(elevation) * 0.6, std::sin(elevation), std::cos(elevation) * 0.8);
-        const dvec2 slant = optics64::sunSlant(toSun);
+        const dvec2 shear = optics64::sunShear(toSun);
         const dvec3 crossing(3.0, level, -2.0);
         for (const double way : {-20.0, -1.0, 0.0, 0.5, 30.0}) {
-            const dvec2 plane = optics64::sunPlane(crossing + way * toSun, level, slant);
+            const dvec2 plane = optics64::sunPlane(crossing + way * toSun, level, shear);
             EXPECT_NEAR(plane.x, crossing.x, 1.0e-11);
             EXPECT_NEAR(plane.y, crossing.z, 1.0e-11);
         }
@@ -30,17 +30,17 @@ TEST(OpticsSunlight, APlaceIsKeptAlongTheLight)
 TEST(OpticsSunlight, TheGradientIsThatOfThePlane)
 {
     const dvec3 toSun = glm::normalize(dvec3(0.5, 0.7, -0.3));
-    const dvec2 slant = optics64::sunSlant(toSun);
+    const dvec2 shear = optics64::sunShear(toSun);
     for (const dvec3& n : {dvec3(0.0, 1.0, 0.0), dvec3(0.3, 0.9, 0.1), dvec3(0.0, 0.0, -1.0), dvec3(-0.9, 0.4, 0.2)}) {
         const dvec3 other = std::abs(n.x) < 0.5 ? dvec3(1.0, 0.0, 0.0) : dvec3(0.0, 0.0, 1.0);
         const dvec3 along = glm::normalize(glm::cross(n, other));
-        const dvec2 step = optics64::sunPlane(along, 0.0, slant);
+        const dvec2 step = optics64::sunPlane(along, 0.0, shear);
         for (const double sign : {1.0, -1.0})
-            EXPECT_NEAR(glm::dot(optics64::sunPlaneGradient(sign * n, slant), step), along.y, 1.0e-12);
+            EXPECT_NEAR(glm::dot(optics64::sunPlaneGradient(sign * n, shear), step), along.y, 1.0e-12);
     }
     // Along the light there is none, and the limit holds.
     const dvec3 sideways = glm::normalize(glm::cross(toSun, dvec3(0.0, 1.0, 0.0)));
-    const dvec2 gradient = optics64::sunPlaneGradient(glm::cross(sideways, toSun), slant);
+    const dvec2 gradient = optics64::sunPlaneGradient(glm::cross(sideways, toSun), shear);
     EXPECT_TRUE(std::isfinite(gradient.x) && std::isfinite(gradient.y));
     EXPECT_LE(glm::length(gradient), 8.0 + 1.0e-9);
 }
@@ -55,7 +55,7 @@ TEST(OpticsSunlight, APhotonsWeightsSumToOne)
             EXPECT_NEAR(sum, 1.0, 1.0e-14);
         }
     }
-    EXPECT_DOUBLE_EQ(optics64::photonShare(0.5, 1.0), 0.25);
+    EXPECT_DOUBLE_EQ(optics64::photonFraction(0.5, 1.0), 0.25);
 }
 
 TEST(OpticsSunlight, TheFiltersWeightsSumToOne)

@@ -44,12 +44,12 @@ TEST(WaterGrid, LinesAreOrderedAndPinnedToTheRectangle)
                 const double size = upper - lower;
                 double last = lower;
                 for (int line = 0; line < 97; ++line) {
-                    const double x = optics64::gridPlace(grid[static_cast<std::size_t>(axis)], line);
+                    const double x = optics64::gridPosition(grid[static_cast<std::size_t>(axis)], line);
                     ASSERT_TRUE(std::isfinite(x));
                     EXPECT_GE(x, last - 1e-9 * size);
                     last = x;
                 }
-                EXPECT_NEAR(optics64::gridPlace(grid[static_cast<std::size_t>(axis)], 0), lower, 1e-6 * size);
+                EXPECT_NEAR(optics64::gridPosition(grid[static_cast<std::size_t>(axis)], 0), lower, 1e-6 * size);
                 EXPECT_NEAR(last, upper, 1e-6 * size);
             }
         }
@@ -62,8 +62,8 @@ TEST(WaterGrid, ALineIsFoundAgainAtItsPlace)
     for (const optics64::GridAxis& axis : grid)
         for (double line = 0.25; line < 96.0; line += 0.75) {
             const double whole = std::floor(line);
-            const double x = optics64::gridPlace(axis, whole);
-            EXPECT_NEAR(optics64::gridPlace(axis, std::round(optics64::gridLine(axis, x))), x, 1e-6);
+            const double x = optics64::gridPosition(axis, whole);
+            EXPECT_NEAR(optics64::gridPosition(axis, std::round(optics64::gridLine(axis, x))), x, 1e-6);
         }
 }
 
@@ -72,7 +72,7 @@ TEST(WaterGrid, CellsAreFinestBeforeTheEye)
     const optics64::WaterGrid grid = gridOf(places[0].eye, places[0].target, {-1, -2, 73, 56}, 97);
     const auto cellAt = [&](double z) {
         const double line = std::floor(optics64::gridLine(grid[1], z));
-        return optics64::gridPlace(grid[1], line + 1.0) - optics64::gridPlace(grid[1], line);
+        return optics64::gridPosition(grid[1], line + 1.0) - optics64::gridPosition(grid[1], line);
     };
     const double even = 112.0 / 96.0;
     EXPECT_LT(cellAt(6.0), 0.5 * even);
@@ -89,7 +89,7 @@ TEST(WaterGrid, LinesGlideWithTheEye)
         const optics64::WaterGrid grid = gridOf({way, 1.5f - 0.5f * way, 10.0f - way}, {0.0f, 0.0f, -20.0f}, rect, 97);
         for (std::size_t axis = 0; axis < 2; ++axis)
             for (int line = 0; line < 97; ++line)
-                ASSERT_NEAR(optics64::gridPlace(grid[axis], line), optics64::gridPlace(last[axis], line), 0.5)
+                ASSERT_NEAR(optics64::gridPosition(grid[axis], line), optics64::gridPosition(last[axis], line), 0.5)
                     << "step " << step << " axis " << axis << " line " << line;
         last = grid;
     }

@@ -77,7 +77,7 @@ TEST(Waves, SlopeIsTheDerivativeOfTheHeight)
         // Perpendicular to both tangents.
         EXPECT_NEAR(glm::dot(normal, dvec3(1.0, sample.slope.x, 0.0)), 0.0, 1e-14);
         EXPECT_NEAR(glm::dot(normal, dvec3(0.0, sample.slope.y, 1.0)), 0.0, 1e-14);
-        EXPECT_EQ(sample.lostVariance, 0.0);
+        EXPECT_EQ(sample.filteredVariance, 0.0);
     }
 }
 
@@ -153,10 +153,10 @@ TEST(WaveFilter, MovesTheVarianceItTakesToTheGlint)
     const auto waves = someWaves();
     const auto all = optics64::waveSum(waves.data(), 3, dvec2(1.0, 2.0), 0.0, 1.0e5);
     EXPECT_NEAR(all.height, 0.0, 1e-15);
-    EXPECT_NEAR(all.lostVariance, optics64::slopeVariance(waves), 1e-15);
+    EXPECT_NEAR(all.filteredVariance, optics64::slopeVariance(waves), 1e-15);
     const auto some = optics64::waveSum(waves.data(), 3, dvec2(1.0, 2.0), 0.0, 1.0);
-    EXPECT_GT(some.lostVariance, 0.0);
-    EXPECT_LT(some.lostVariance, all.lostVariance);
+    EXPECT_GT(some.filteredVariance, 0.0);
+    EXPECT_LT(some.filteredVariance, all.filteredVariance);
 }
 
 TEST(Waves, NoneOfThemIsALevelSurface)

@@ -12,7 +12,7 @@ TEST(DepthComplexity, OfABedIsNone)
     const Scene scene = flatLake(2.0f, 8.0f);
     const DepthComplexity complexity = depthComplexity(scene, scene.water);
     EXPECT_EQ(complexity.bed, 0.0);
-    EXPECT_EQ(complexity.afloat, 0.0);
+    EXPECT_EQ(complexity.aboveWater, 0.0);
 }
 
 // A quarter of the bed under a ledge that hangs free, and the same sunk into the ground.
@@ -33,10 +33,10 @@ TEST(DepthComplexity, ADeckIsOfTheAir)
     addBox(scene, {-2, 0.5f, -2}, {2, 0.6f, 2}, addMaterial(scene, vec3(0.5f)));
     DepthComplexity complexity = depthComplexity(scene, scene.water);
     EXPECT_EQ(complexity.bed, 0.0);
-    EXPECT_EQ(complexity.afloat, 0.0) << "one piece";
+    EXPECT_EQ(complexity.aboveWater, 0.0) << "one piece";
     addBox(scene, {-1, 1.5f, -2}, {1, 1.6f, 2}, addMaterial(scene, vec3(0.5f)));
     complexity = depthComplexity(scene, scene.water);
-    EXPECT_NEAR(complexity.afloat, 0.5, 0.02) << "a roof over half of it";
+    EXPECT_NEAR(complexity.aboveWater, 0.5, 0.02) << "a roof over half of it";
 }
 
 TEST(DepthComplexity, ASheetIsALayer)
@@ -59,7 +59,7 @@ TEST(DepthComplexity, UprightFoliageIsALayerOverTheGround)
         const float x = -2.0f + 0.1f * static_cast<float>(i);
         addBox(scene, {x, 1.5f, -2}, {x + 0.1f, 2.5f, 2}, leaf);
     }
-    EXPECT_NEAR(depthComplexity(scene, scene.water).afloat, 0.25, 0.02);
+    EXPECT_NEAR(depthComplexity(scene, scene.water).aboveWater, 0.25, 0.02);
 }
 
 } // namespace

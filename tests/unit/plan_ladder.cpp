@@ -8,7 +8,7 @@
 #include "measure/trade/runner.h"
 #include "plan/ladder.h"
 #include "small_ladder.h"
-#include "synthetic_lab.h"
+#include "synthetic_experiment.h"
 #include "temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 using test::messageOf;
 using test::smallLadder;
-using test::SyntheticLab;
+using test::SyntheticExperiment;
 using test::syntheticSetup;
 
 TEST(Ladder, FaultsAreNamedWithTheirRung)
@@ -227,12 +227,12 @@ TEST(TradeLadder, WritesWhatTheGovernorReads)
     PlanRequest request;
     request.ladder = true;
     const TradeSetup setup = syntheticSetup(request);
-    SyntheticLab lab;
+    SyntheticExperiment experiment;
     TradeStore store(folder.path() / "trade", keyOf(setup), false);
-    const TradeResults results = runTrade(setup, store, lab).results;
+    const TradeResults results = runTrade(setup, store, experiment).results;
     EXPECT_TRUE(results.complete());
-    EXPECT_FALSE(lab.repeatsItself());
-    Ladder ladder = pickLadder(setup, results, walkError(setup, results.points));
+    EXPECT_FALSE(experiment.repeatsItself());
+    Ladder ladder = pickLadder(setup, results, greedySweepError(setup, results.points));
     ladder.scene = "for\"mulas";
     ladder.size = "1x1";
     ladder.machine = "none";
@@ -240,7 +240,8 @@ TEST(TradeLadder, WritesWhatTheGovernorReads)
     ASSERT_GE(ladder.rungs.size(), 5u);
     for (std::size_t i = 1; i < ladder.rungs.size(); ++i) {
         const Options options = changedSettings(Settings{}, ladder.rungs[i].settings, "test").options;
-        EXPECT_NEAR(ladder.rungs[i].cost, SyntheticLab::priceOf(options) / SyntheticLab::priceOf(Options{}), 1e-9);
+        EXPECT_NEAR(ladder.rungs[i].cost, SyntheticExperiment::costOf(options) / SyntheticExperiment::costOf(Options{}),
+                    1e-9);
         EXPECT_GE(ladder.rungs[i].flip, ladder.rungs[i - 1].flip);
     }
 
@@ -264,17 +265,17 @@ TEST(TradeLadder, GoesOnAfterAFall)
     PlanRequest request;
     request.ladder = true;
     const TradeSetup setup = syntheticSetup(request);
-    SyntheticLab failing;
+    SyntheticExperiment failing;
     failing.failAfter = 20;
     {
         TradeStore store(folder.path(), keyOf(setup), false);
         EXPECT_CONTAINS(messageOf<Error>([&] { runTrade(setup, store, failing); }), "power");
     }
-    SyntheticLab lab;
+    SyntheticExperiment experiment;
     TradeStore store(folder.path(), keyOf(setup), false);
-    EXPECT_TRUE(runTrade(setup, store, lab).results.complete());
+    EXPECT_TRUE(runTrade(setup, store, experiment).results.complete());
     for (const std::string& unit : failing.measured)
-        EXPECT_EQ(std::count(lab.measured.begin(), lab.measured.end(), unit), 0) << unit;
+        EXPECT_EQ(std::count(experiment.measured.begin(), experiment.measured.end(), unit), 0) << unit;
 }
 
 } // namespace

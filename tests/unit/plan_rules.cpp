@@ -30,20 +30,20 @@ Camera cameraAt(const vec3& eye, const vec3& target)
 
 const Camera overTheLake = cameraAt({0, 4, 15}, {0, 0, 0});
 
-FramePlan planFor(const Scene& scene, const Camera& camera, const Options& options, const Sight* sight)
+FramePlan planFor(const Scene& scene, const Camera& camera, const Options& options, const VisibilityFacts* visibility)
 {
-    return planFrame(scene, scene.water, camera, options, {640, 480}, 0.0, nullptr, sight);
+    return planFrame(scene, scene.water, camera, options, {640, 480}, 0.0, nullptr, visibility);
 }
 
-/// Bed and shore in sight.
-Sight everything()
+/// Bed and shore in view.
+VisibilityFacts everything()
 {
-    Sight sight;
-    sight.leastDepth = -1.0f;
-    sight.bedReflectance = vec3(0.3f);
-    sight.sunBelow = vec3(80.0f);
-    sight.skyBelow = vec3(20.0f);
-    return sight;
+    VisibilityFacts visibility;
+    visibility.leastDepth = -1.0f;
+    visibility.bedReflectance = vec3(0.3f);
+    visibility.sunBelow = vec3(80.0f);
+    visibility.skyBelow = vec3(20.0f);
+    return visibility;
 }
 
 Options without(RuleId id)
@@ -58,15 +58,15 @@ Options without(RuleId id)
 TEST(PlanRules, EachHasAnOptionAndSaysWhatBecameOfIt)
 {
     const Scene scene = lakeScene();
-    const Sight sight = everything();
-    const FramePlan plan = planFor(scene, overTheLake, {}, &sight);
+    const VisibilityFacts visibility = everything();
+    const FramePlan plan = planFor(scene, overTheLake, {}, &visibility);
     for (std::size_t i = 0; i < ruleCount; ++i) {
         const auto id = static_cast<RuleId>(i);
         EXPECT_FALSE(plan.rule(id).why.empty()) << rule(id).name;
         EXPECT_GE(rule(id).levels, 1);
         Options options = without(id);
         EXPECT_FALSE(options.plan.allows(id));
-        const FramePlan refused = planFor(scene, overTheLake, options, &sight);
+        const FramePlan refused = planFor(scene, overTheLake, options, &visibility);
         EXPECT_FALSE(refused.rule(id).applies);
         EXPECT_NE(refused.rule(id).why.find(std::string("plan.") + rule(id).name), std::string::npos);
         options = {};
@@ -91,42 +91,43 @@ TEST(PlanRules, WithoutAPlanEveryPassRuns)
 TEST(PlanRules, AMirrorOfNothingButSkyNeedsNoTarget)
 {
     Scene scene = lakeScene();
-    Sight sight = everything();
-    EXPECT_TRUE(planFor(scene, overTheLake, {}, &sight)[PassId::reflection].wanted);
-    sight.mirrors = false;
-    EXPECT_FALSE(planFor(scene, overTheLake, {}, &sight)[PassId::reflection].wanted);
+    VisibilityFacts visibility = everything();
+    EXPECT_TRUE(planFor(scene, overTheLake, {}, &visibility)[PassId::reflection].wanted);
+    visibility.mirrors = false;
+    EXPECT_FALSE(planFor(scene, overTheLake, {}, &visibility)[PassId::reflection].wanted);
     Options options;
     options.reflection.method = ReflectionOptions::Method::distance;
-    EXPECT_TRUE(planFor(scene, overTheLake, options, &sight)[PassId::reflection].wanted);
+    EXPECT_TRUE(planFor(scene, overTheLake, options, &visibility)[PassId::reflection].wanted);
     options = {};
     options.plan.exact = true;
-    EXPECT_TRUE(planFor(scene, overTheLake, options, &sight)[PassId::reflection].wanted);
-    EXPECT_TRUE(planFor(scene, cameraAt({0, -1, 5}, {0, 0, 0}), {}, &sight)[PassId::reflection].wanted) << "from below";
+    EXPECT_TRUE(planFor(scene, overTheLake, options, &visibility)[PassId::reflection].wanted);
+    EXPECT_TRUE(planFor(scene, cameraAt({0, -1, 5}, {0, 0, 0}), {}, &visibility)[PassId::reflection].wanted)
+        << "from below";
     scene.sky.kind = Sky::Kind::picture;
-    EXPECT_TRUE(planFor(scene, overTheLake, {}, &sight)[PassId::reflection].wanted);
+    EXPECT_TRUE(planFor(scene, overTheLake, {}, &visibility)[PassId::reflection].wanted);
 }
 
 TEST(PlanRules, ABedThatIsNotThereNeedsNoTarget)
 {
     const Scene scene = lakeScene();
-    Sight sight = everything();
-    sight.seesBed = false;
-    FramePlan plan = planFor(scene, overTheLake, without(RuleId::bedTooDeep), &sight);
+    VisibilityFacts visibility = everything();
+    visibility.seesBed = false;
+    FramePlan plan = planFor(scene, overTheLake, without(RuleId::bedTooDeep), &visibility);
     EXPECT_FALSE(plan[PassId::refraction].wanted);
     EXPECT_EQ(plan[PassId::water].dependsOn, "scene, reflection");
     EXPECT_TRUE(planFor(scene, overTheLake, {}, nullptr)[PassId::refraction].wanted) << "nothing is known";
-    EXPECT_TRUE(planFor(scene, overTheLake, without(RuleId::noBed), &sight)[PassId::refraction].wanted)
+    EXPECT_TRUE(planFor(scene, overTheLake, without(RuleId::noBed), &visibility)[PassId::refraction].wanted)
         << "no bed is not a deep one";
     EXPECT_TRUE(plan[PassId::caustics].wanted) << "the shore's foot may be under water";
-    sight.mainReceives = sight.reflectionReceives = false;
-    plan = planFor(scene, overTheLake, {}, &sight);
+    visibility.mainReceives = visibility.reflectionReceives = false;
+    plan = planFor(scene, overTheLake, {}, &visibility);
     EXPECT_FALSE(plan[PassId::caustics].wanted);
     EXPECT_TRUE(plan[PassId::sunlight].wanted) << "shadows";
     Options noShadows;
     noShadows.sunlight.shadows = false;
-    EXPECT_FALSE(planFor(scene, overTheLake, noShadows, &sight)[PassId::sunlight].wanted);
-    sight.reflectionReceives = true;
-    EXPECT_TRUE(planFor(scene, overTheLake, {}, &sight)[PassId::caustics].wanted);
+    EXPECT_FALSE(planFor(scene, overTheLake, noShadows, &visibility)[PassId::sunlight].wanted);
+    visibility.reflectionReceives = true;
+    EXPECT_TRUE(planFor(scene, overTheLake, {}, &visibility)[PassId::caustics].wanted);
 }
 
 // The bound is checked against the formulas themselves: just where the rule begins to apply, a bed as bright as can be
@@ -138,11 +139,11 @@ TEST(PlanRules, ABedIsTooDeepWhereNoLightOfItIsLeftThatCouldBeSeen)
     scene.water.waves = {{0.1f, 4.0f, 0.0f, 0.0f, 0.0f}};
     Options options;
     options.frame.exposure = 0.05f;
-    Sight sight = everything();
+    VisibilityFacts visibility = everything();
     float depth = 0.0f;
     for (; depth < 100.0f; depth += 0.05f) {
-        sight.leastDepth = depth;
-        if (!planFor(scene, overTheLake, options, &sight)[PassId::refraction].wanted) break;
+        visibility.leastDepth = depth;
+        if (!planFor(scene, overTheLake, options, &visibility)[PassId::refraction].wanted) break;
     }
     EXPECT_GT(depth, 5.0f);
     EXPECT_LT(depth, 30.0f);
@@ -154,10 +155,10 @@ TEST(PlanRules, ABedIsTooDeepWhereNoLightOfItIsLeftThatCouldBeSeen)
         EXPECT_LT(shown(base + exposed) - shown(base), 0.5f / 255.0f) << base;
     }
     options.plan.exact = true;
-    EXPECT_TRUE(planFor(scene, overTheLake, options, &sight)[PassId::refraction].wanted);
+    EXPECT_TRUE(planFor(scene, overTheLake, options, &visibility)[PassId::refraction].wanted);
     options.plan.exact = false;
     scene.pointLights.emplace_back();
-    EXPECT_TRUE(planFor(scene, overTheLake, options, &sight)[PassId::refraction].wanted) << "a lamp at the bed";
+    EXPECT_TRUE(planFor(scene, overTheLake, options, &visibility)[PassId::refraction].wanted) << "a lamp at the bed";
 }
 
 // Waves of known steepness, one facet after another: none that mirrors a visible lobe is missed.
@@ -166,12 +167,12 @@ TEST(PlanRules, NoGlowIsMissedThatAWaveCouldMirror)
     Scene scene = lakeScene();
     scene.water.waves = {{0.02f, 2.0f, 0.3f, 0.0f, 0.0f}, {0.01f, 0.7f, 1.4f, 0.0f, 0.0f}};
     const float slope = 2.0f * pi * (0.02f / 2.0f + 0.01f / 0.7f);
-    const Sight sight = everything();
+    const VisibilityFacts visibility = everything();
     int leftOut = 0;
     for (int turn = 0; turn < 36; ++turn) {
         const float angle = static_cast<float>(turn) * pi / 18.0f;
         const Camera camera = cameraAt({0, 3, 0}, {std::sin(angle) * 10.0f, 1.0f, -std::cos(angle) * 10.0f});
-        const FramePlan plan = planFor(scene, camera, {}, &sight);
+        const FramePlan plan = planFor(scene, camera, {}, &visibility);
         if (plan[PassId::glow].wanted) continue;
         ++leftOut;
         const mat4 worldFromClip = glm::inverse(clipFromView(camera, 4.0f / 3.0f) * viewFromWorld(camera));
@@ -194,16 +195,17 @@ TEST(PlanRules, NoGlowIsMissedThatAWaveCouldMirror)
 TEST(PlanRules, HiddenWaterIsAskedForAgainBeforeItIsLeftOut)
 {
     Scene scene = lakeScene();
-    Sight sight = everything();
-    EXPECT_FALSE(planFor(scene, overTheLake, {}, &sight).rule(RuleId::waterHidden).applies);
-    sight.waterWasHidden = true;
-    const FramePlan plan = planFor(scene, overTheLake, {}, &sight);
+    VisibilityFacts visibility = everything();
+    EXPECT_FALSE(planFor(scene, overTheLake, {}, &visibility).rule(RuleId::waterHidden).applies);
+    visibility.waterWasHidden = true;
+    const FramePlan plan = planFor(scene, overTheLake, {}, &visibility);
     EXPECT_TRUE(plan.rule(RuleId::waterHidden).applies);
     EXPECT_TRUE(plan[PassId::water].wanted) << "the depth of the frame decides";
-    EXPECT_FALSE(planFor(scene, cameraAt({0, 0.05f, 15}, {0, 0, 0}), {}, &sight).rule(RuleId::waterHidden).applies);
+    EXPECT_FALSE(
+        planFor(scene, cameraAt({0, 0.05f, 15}, {0, 0, 0}), {}, &visibility).rule(RuleId::waterHidden).applies);
     Options stereo;
     stereo.stereo.output = StereoOptions::Output::sideBySide;
-    EXPECT_FALSE(planFor(scene, overTheLake, stereo, &sight).rule(RuleId::waterHidden).applies);
+    EXPECT_FALSE(planFor(scene, overTheLake, stereo, &visibility).rule(RuleId::waterHidden).applies);
 }
 
 TEST(PlanRules, RawValuesAreThoseOfTheFullFrame)

@@ -20,7 +20,7 @@ Camera headCamera()
 }
 
 /// A place of the head's view space, in the world.
-vec3 placeInView(const Camera& camera, const vec3& positionV)
+vec3 positionInView(const Camera& camera, const vec3& positionV)
 {
     return vec3(glm::inverse(viewFromWorld(camera)) * vec4(positionV, 1.0f));
 }
@@ -37,8 +37,8 @@ TEST(Stereo, EyesStandBesideTheCameraAndLookTheSameWay)
     StereoOptions stereo;
     stereo.separation = 0.4f;
     const Camera left = eyeCamera(head, stereo, Eye::left), right = eyeCamera(head, stereo, Eye::right);
-    EXPECT_LT(glm::distance(left.eye, placeInView(head, {-0.2f, 0.0f, 0.0f})), 1e-5f);
-    EXPECT_LT(glm::distance(right.eye, placeInView(head, {0.2f, 0.0f, 0.0f})), 1e-5f);
+    EXPECT_LT(glm::distance(left.eye, positionInView(head, {-0.2f, 0.0f, 0.0f})), 1e-5f);
+    EXPECT_LT(glm::distance(right.eye, positionInView(head, {0.2f, 0.0f, 0.0f})), 1e-5f);
     for (const Camera& eye : {left, right})
         EXPECT_LT(glm::distance(glm::normalize(eye.target - eye.eye), glm::normalize(head.target - head.eye)), 1e-6f);
     EXPECT_FLOAT_EQ(left.lensShift, 0.2f / stereo.convergence);
@@ -52,7 +52,7 @@ TEST(Stereo, OnThePlaneOfConvergenceBothEyesSeeTheSame)
     stereo.separation = 0.4f;
     stereo.convergence = 3.0f;
     for (const vec2 at : {vec2(0.0f), vec2(1.2f, -0.7f), vec2(-2.0f, 1.0f)}) {
-        const vec3 place = placeInView(head, {at, -3.0f});
+        const vec3 place = positionInView(head, {at, -3.0f});
         const vec3 middle = seenAt(head, place);
         for (const Eye eye : bothEyes)
             EXPECT_LT(glm::distance(vec2(seenAt(eyeCamera(head, stereo, eye), place)), vec2(middle)), 1e-5f);
@@ -68,7 +68,7 @@ TEST(Stereo, DisparityGoesWithTheInverseDepth)
     stereo.convergence = 4.0f;
     const float edge = aspect * std::tan(0.5f * head.verticalFov);
     for (const float depth : {1.0f, 2.0f, 4.0f, 40.0f, 400.0f}) {
-        const vec3 place = placeInView(head, {0.1f * depth, -0.2f * depth, -depth});
+        const vec3 place = positionInView(head, {0.1f * depth, -0.2f * depth, -depth});
         const vec3 left = seenAt(eyeCamera(head, stereo, Eye::left), place);
         const vec3 right = seenAt(eyeCamera(head, stereo, Eye::right), place);
         EXPECT_NEAR((right.x - left.x) * edge, 0.2f * (1.0f / 4.0f - 1.0f / depth), 1e-5f) << depth;

@@ -79,7 +79,7 @@ TEST(WaterBounds, NoLookLiesBesideThem)
             options.reflection.facets = facets;
             options.water.filterWaves = filters;
             const TargetBounds bounds = mirrorBounds(water, camera, options, size);
-            ASSERT_LT(bounds.share(), 0.6f);
+            ASSERT_LT(bounds.fraction(), 0.6f);
             const float slope = largestSlope(
                 water, options, leastFootprint(water, camera, visibleCorners(water, camera, aspect), size));
             EXPECT_GT(slope, 0.01f);

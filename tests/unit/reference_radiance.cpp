@@ -81,8 +81,8 @@ TEST(ReferenceRadiance, AWhiteWorldStaysWhite)
     const Picture above = tracer.render(viewFrom({0.0f, 1.5f, 7.0f}, {0.0f, -1.0f, 0.0f}, 28.0f, {48, 36}),
                                         {.samples = 4, .depth = 12}, nullptr, {}, &report);
     for (std::size_t i = 0; i < above.pixels(); ++i)
-        EXPECT_NEAR(above.radiance[i].y, 1.0f, 1e-3f + static_cast<float>(report.truncatedShare));
-    EXPECT_LT(report.truncatedShare, 1e-3);
+        EXPECT_NEAR(above.radiance[i].y, 1.0f, 1e-3f + static_cast<float>(report.truncatedFraction));
+    EXPECT_LT(report.truncatedFraction, 1e-3);
 }
 
 TEST(ReferenceRadiance, DepthLimitReportsWhatItLeavesOut)
@@ -93,12 +93,12 @@ TEST(ReferenceRadiance, DepthLimitReportsWhatItLeavesOut)
     // From below a flat surface the reflected ray goes down for good: one meeting is all there is.
     (void)tracer.render(viewFrom({0.0f, -0.5f, 3.0f}, {0.0f, 0.0f, 0.0f}, 10.0f, {8, 8}), {.samples = 1, .depth = 1},
                         nullptr, {}, &report);
-    EXPECT_EQ(report.truncatedShare, 0.0);
+    EXPECT_EQ(report.truncatedFraction, 0.0);
     // Seen from above through waves, more than one may follow; of none, all is left out.
     scene.water.waves = {{0.3f, 1.5f, 0.0f, 0.0f, 0.0f}};
     (void)tracer.render(viewFrom({0.0f, 0.6f, 6.0f}, {0.0f, 0.0f, 0.0f}, 20.0f, {32, 32}), {.samples = 1, .depth = 1},
                         nullptr, {}, &report);
-    EXPECT_GT(report.truncatedShare, 1e-3);
+    EXPECT_GT(report.truncatedFraction, 1e-3);
 }
 
 /// Sun through flat water onto a diffuse bed and out again; then with the light that the surface sends back down.

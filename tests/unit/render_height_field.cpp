@@ -27,9 +27,9 @@ TEST(HeightField, StepsAreAsManyAsPublished)
 // The lines from (0, 3) to (1, 1) and from (0, 0) to (1, 2) meet at 3/4.
 TEST(HeightField, TwoLinesMeetWhereTheDerivationSays)
 {
-    EXPECT_DOUBLE_EQ(optics64::crossingShare(3.0, 0.0, 1.0, 2.0), 0.75);
-    EXPECT_DOUBLE_EQ(optics64::crossingShare(1.0, 0.0, -1.0, 0.0), 0.5);
-    EXPECT_DOUBLE_EQ(optics64::crossingShare(2.0, 2.0, 1.0, 2.0), 0.0);
+    EXPECT_DOUBLE_EQ(optics64::crossingFraction(3.0, 0.0, 1.0, 2.0), 0.75);
+    EXPECT_DOUBLE_EQ(optics64::crossingFraction(1.0, 0.0, -1.0, 0.0), 0.5);
+    EXPECT_DOUBLE_EQ(optics64::crossingFraction(2.0, 2.0, 1.0, 2.0), 0.0);
 }
 
 struct PatchRay {
@@ -99,7 +99,7 @@ HeightField randomField(int edge)
 {
     HeightField field;
     field.rect = {vec2(3.0f, -2.0f), vec2(0.5f * static_cast<float>(edge))};
-    field.edge = edge;
+    field.resolution = edge;
     field.lowest = -5.0f;
     std::mt19937 random(3);
     std::uniform_real_distribution<float> height(-4.0f, 0.0f);
@@ -124,7 +124,7 @@ TEST(HeightField, HoldsWhatItsSurfacePasses)
 {
     HeightField field;
     field.rect = {vec2(0.0f), vec2(4.0f)};
-    field.edge = 8;
+    field.resolution = 8;
     field.lowest = -5.0f;
     for (int j = 0; j < 8; ++j)
         for (int i = 0; i < 8; ++i) field.heights.push_back(i < 4 ? -3.0f : -1.0f);
@@ -163,7 +163,7 @@ TEST(HeightField, ARayMeetsASlopeWhereTheFormulaSays)
 {
     HeightField field;
     field.rect = {vec2(0.0f), vec2(4.0f)};
-    field.edge = 32;
+    field.resolution = 32;
     field.lowest = -5.0f;
     for (int j = 0; j < 32; ++j)
         for (int i = 0; i < 32; ++i)

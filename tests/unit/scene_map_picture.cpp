@@ -16,7 +16,7 @@ HeightMapPicture anyMap(MapKind kind, int edge = 16)
 {
     HeightMapPicture map;
     map.kind = kind;
-    map.edge = edge;
+    map.resolution = edge;
     map.centre = {1.1f, -20.3f};
     map.extent = {12.7f, 31.9f};
     map.lowest = kind == MapKind::bed ? -7.3f : 0.0f;
@@ -34,7 +34,7 @@ HeightMapPicture anyMap(MapKind kind, int edge = 16)
 
 void expectSame(const HeightMapPicture& a, const HeightMapPicture& b)
 {
-    EXPECT_EQ(a.edge, b.edge);
+    EXPECT_EQ(a.resolution, b.resolution);
     EXPECT_EQ(a.centre, b.centre);
     EXPECT_EQ(a.extent, b.extent);
     EXPECT_EQ(a.lowest, b.lowest);
@@ -79,7 +79,7 @@ protected:
 
 TEST_F(MapPictureTest, IsReadAsItWasWritten)
 {
-    for (const MapKind kind : {MapKind::bed, MapKind::afloat}) {
+    for (const MapKind kind : {MapKind::bed, MapKind::aboveWater}) {
         HeightMapPicture map = anyMap(kind);
         writeMapPicture(file, map, {{"tarn:scene", "a lake"}});
         const HeightMapPicture read = readMapPicture(file, kind);
@@ -95,7 +95,7 @@ TEST_F(MapPictureTest, APictureFromElsewhereNeedsNoHeader)
 {
     write(32, 32, bedChannels, 0.5f);
     const HeightMapPicture map = readMapPicture(file, MapKind::bed);
-    EXPECT_EQ(map.edge, 32);
+    EXPECT_EQ(map.resolution, 32);
     EXPECT_EQ(map.extent, vec2(0.0f));
     EXPECT_EQ(map.lowest, -0.5f) << "under all of it";
     EXPECT_FALSE(map.light);
@@ -115,7 +115,8 @@ TEST_F(MapPictureTest, WhatIsNoMapIsRefused)
     write(16, 16, {"height", "radiance.R", "radiance.G", "radiance.B"});
     EXPECT_CONTAINS(problem(MapKind::bed), "has no channel response.R; a map 'bed' needs height, radiance.R");
     write(16, 16, bedChannels);
-    EXPECT_CONTAINS(problem(MapKind::afloat), "has no channel underside; a map 'afloat' needs underside, top, seen");
+    EXPECT_CONTAINS(problem(MapKind::aboveWater),
+                    "has no channel underside; a map 'above_water' needs underside, top, seen");
     write(16, 16, bedChannels, 1.0f, {{"tarn:extent", "12 metres"}});
     EXPECT_CONTAINS(problem(MapKind::bed), "tarn:extent must be 2 numbers, not '12 metres'");
     write(16, 16, bedChannels, 1.0f, {{"tarn:extent", "12 0"}});
@@ -134,14 +135,14 @@ TEST_F(MapPictureTest, ValuesThatNoMapCanHaveAreRefused)
     map = anyMap(MapKind::bed);
     map.colours[1][0] = inf;
     EXPECT_CONTAINS(problemOf(map), "response.R is inf at pixel (0, 0)");
-    map = anyMap(MapKind::afloat);
+    map = anyMap(MapKind::aboveWater);
     map.heights[3 * 4 + 1] = 0.0f;
     EXPECT_CONTAINS(problemOf(map), "underside is 1.04 and top 0 at pixel (4, 0); the top may not be the lower");
-    map = anyMap(MapKind::afloat);
-    map.heights[3 * 4] = nothingAfloat;
-    map.heights[3 * 4 + 1] = map.heights[3 * 4 + 2] = -nothingAfloat;
+    map = anyMap(MapKind::aboveWater);
+    map.heights[3 * 4] = nothingAboveWater;
+    map.heights[3 * 4 + 1] = map.heights[3 * 4 + 2] = -nothingAboveWater;
     writeMapPicture(file, map);
-    EXPECT_NO_THROW(readMapPicture(file, MapKind::afloat)) << "nothing stands there";
+    EXPECT_NO_THROW(readMapPicture(file, MapKind::aboveWater)) << "nothing stands there";
 }
 
 TEST(MapLight, TellsWhatChanged)
@@ -175,22 +176,22 @@ protected:
 TEST_F(SceneMapsTest, AreLoadedAndSaved)
 {
     writeMapPicture(file, anyMap(MapKind::bed));
-    writeMapPicture(folder.path() / "over.exr", anyMap(MapKind::afloat));
-    const Scene loaded = loadScene(
-        scene("[maps.bed]\nfile = 'map.exr'\n[maps.afloat]\nfile = 'over.exr'\ncentre = [1, 2]\nextent = [30, 40]\n"));
-    ASSERT_TRUE(loaded.maps.bed.picture && loaded.maps.afloat.picture);
+    writeMapPicture(folder.path() / "over.exr", anyMap(MapKind::aboveWater));
+    const Scene loaded = loadScene(scene(
+        "[maps.bed]\nfile = 'map.exr'\n[maps.above_water]\nfile = 'over.exr'\ncentre = [1, 2]\nextent = [30, 40]\n"));
+    ASSERT_TRUE(loaded.maps.bed.picture && loaded.maps.aboveWater.picture);
     expectSame(*loaded.maps.bed.picture, anyMap(MapKind::bed));
-    EXPECT_EQ(loaded.maps.afloat.picture->centre, vec2(1.0f, 2.0f)) << "the scene file wins over the header";
-    EXPECT_EQ(loaded.maps.afloat.picture->extent, vec2(30.0f, 40.0f));
+    EXPECT_EQ(loaded.maps.aboveWater.picture->centre, vec2(1.0f, 2.0f)) << "the scene file wins over the header";
+    EXPECT_EQ(loaded.maps.aboveWater.picture->extent, vec2(30.0f, 40.0f));
 
     std::filesystem::create_directories(folder.path() / "elsewhere");
     const auto saved = folder.path() / "elsewhere" / "saved.toml";
     saveScene(loaded, saved);
     const Scene again = loadScene(saved);
-    ASSERT_TRUE(again.maps.bed.picture && again.maps.afloat.picture);
+    ASSERT_TRUE(again.maps.bed.picture && again.maps.aboveWater.picture);
     EXPECT_EQ(again.maps.bed.file, std::filesystem::path("../map.exr"));
     expectSame(*again.maps.bed.picture, *loaded.maps.bed.picture);
-    expectSame(*again.maps.afloat.picture, *loaded.maps.afloat.picture);
+    expectSame(*again.maps.aboveWater.picture, *loaded.maps.aboveWater.picture);
 }
 
 TEST_F(SceneMapsTest, MistakesNameFileAndLine)

@@ -1,8 +1,8 @@
 // What a trade measures: sweeps, plans, Pareto fronts, walks.
 
+#include "measure/trade/greedy_sweep.h"
 #include "measure/trade/pareto.h"
-#include "measure/trade/walk.h"
-#include "synthetic_lab.h"
+#include "synthetic_experiment.h"
 #include "temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(TradePlan, SweepsAreRoundTheBaseAndEachConfigurationStandsOnce)
     EXPECT_EQ(plan.sweeps[0].points, (std::vector<std::size_t>{1, 2, 0, 3}));
     EXPECT_EQ(plan.sweeps[1].points, (std::vector<std::size_t>{4, 0}));
     EXPECT_EQ(plan.points[1].label, "refraction.steps=1");
-    EXPECT_FALSE(plan.walk);
+    EXPECT_FALSE(plan.isGreedy);
 }
 
 TEST(TradePlan, AGridHasEveryCombination)
@@ -131,9 +131,9 @@ TEST(TradePlan, TheDefaultIsLargeEnoughAndNotTooLarge)
 {
     const TradePlan plan = planTrade({{}, false, loadPresets()}, describerOf(Settings{}));
     EXPECT_GE(plan.points.size(), 40u);
-    EXPECT_LE(plan.points.size(), 55u) << "with seven steps of the walk at most 62, which is half an hour";
+    EXPECT_LE(plan.points.size(), 55u) << "with seven steps of the greedy sweep at most 62, which is half an hour";
     EXPECT_EQ(plan.presets.size(), loadPresets().size());
-    EXPECT_TRUE(plan.walk);
+    EXPECT_TRUE(plan.isGreedy);
     for (std::size_t i = 0; i < plan.points.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(plan.points[i].id, plan.points[j].id);
 }
@@ -144,7 +144,7 @@ TEST(TradePlan, PresetsMayStandAlone)
     const TradePlan plan = planTrade({{}, false, presets, true}, describerOf(Settings{}));
     EXPECT_EQ(plan.points.size(), presets.size() + 1);
     EXPECT_TRUE(plan.sweeps.empty());
-    EXPECT_FALSE(plan.walk);
+    EXPECT_FALSE(plan.isGreedy);
     EXPECT_CONTAINS(messageOf<UsageError>([&] {
                         planTrade({{"refraction.steps=1:2"}, false, presets, true}, describerOf(Settings{}));
                     }),
@@ -166,7 +166,7 @@ TEST(TradePlan, ViewsMayTakeTurnsAtTheTimes)
     setup.takesTurns = true;
     EXPECT_EQ(errorUnits(), (Places{{0, 0}, {1, 1}}));
     for (const TradeUnit& unit : measuringUnits(setup, setup.plan.points)) {
-        if (unit.kind != TradeUnit::Kind::prices) continue;
+        if (unit.kind != TradeUnit::Kind::costs) continue;
         EXPECT_EQ(unit.view, 0u) << "every second view is timed";
     }
     EXPECT_NE(keyOf(setup), every) << "results of the two do not mix";
@@ -187,21 +187,21 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(TradePareto, KeepsWhatNothingBeats)
 {
-    EXPECT_EQ(paretoFront(std::vector<PricedError>{{3, 1}, {1, 3}, {2, 2}, {3, 2}, {2, 4}}), (Front{1, 2, 0}));
-    EXPECT_EQ(paretoFront(std::vector<PricedError>{}), Front{});
-    EXPECT_EQ(paretoFront(std::vector<PricedError>{{5, 5}}), Front{0});
+    EXPECT_EQ(paretoFront(std::vector<CostedError>{{3, 1}, {1, 3}, {2, 2}, {3, 2}, {2, 4}}), (Front{1, 2, 0}));
+    EXPECT_EQ(paretoFront(std::vector<CostedError>{}), Front{});
+    EXPECT_EQ(paretoFront(std::vector<CostedError>{{5, 5}}), Front{0});
 }
 
 TEST(TradePareto, TiesStandOnce)
 {
-    EXPECT_EQ(paretoFront(std::vector<PricedError>{{1, 1}, {1, 1}, {1, 1}}), Front{0});
-    EXPECT_EQ(paretoFront(std::vector<PricedError>{{1, 2}, {1, 1}}), Front{1}) << "same price, less error";
-    EXPECT_EQ(paretoFront(std::vector<PricedError>{{2, 1}, {1, 1}}), Front{1}) << "same error, cheaper";
+    EXPECT_EQ(paretoFront(std::vector<CostedError>{{1, 1}, {1, 1}, {1, 1}}), Front{0});
+    EXPECT_EQ(paretoFront(std::vector<CostedError>{{1, 2}, {1, 1}}), Front{1}) << "same cost, less error";
+    EXPECT_EQ(paretoFront(std::vector<CostedError>{{2, 1}, {1, 1}}), Front{1}) << "same error, cheaper";
 }
 
 TEST(TradePareto, WhatWasNotMeasuredIsNotOnIt)
 {
-    EXPECT_EQ(paretoFront(std::vector<PricedError>{{nan, 0}, {1, nan}, {2, 1}, {nan, nan}}), Front{2});
+    EXPECT_EQ(paretoFront(std::vector<CostedError>{{nan, 0}, {1, nan}, {2, 1}, {nan, nan}}), Front{2});
 }
 
 TEST(TradePareto, EveryFigureHasAnErrorThatIsLeastAtBest)
@@ -219,17 +219,17 @@ TEST(TradePareto, EveryFigureHasAnErrorThatIsLeastAtBest)
 
 TEST(TradeWalk, PredictsTheFrontOfAllCombinations)
 {
-    // Over a base of price 1 and error 1.
+    // Over a base of cost 1 and error 1.
     const std::vector<SweptOption> options{
         {"a", {{"1", 1.0, 1.0}, {"2", 2.0, 0.5}, {"3", 9.0, 0.4}}},
         {"b", {{"x", 1.0, 1.0}, {"y", 3.0, 0.2}, {"z", 0.5, nan}}},
     };
-    const std::vector<WalkStep> walk = predictedFront(options, {1.0, 1.0});
-    ASSERT_EQ(walk.size(), 5u) << "a=3 with b=x is dearer than a=2 with b=y and worse";
-    const auto expectStep = [&](std::size_t at, const Changes& changes, double price, double error) {
-        EXPECT_EQ(walk[at].changes, changes) << at;
-        EXPECT_DOUBLE_EQ(walk[at].price, price) << at;
-        EXPECT_NEAR(walk[at].error, error, 1e-12) << at;
+    const std::vector<SweepStep> combined = predictedFront(options, {1.0, 1.0});
+    ASSERT_EQ(combined.size(), 5u) << "a=3 with b=x is dearer than a=2 with b=y and worse";
+    const auto expectStep = [&](std::size_t at, const Changes& changes, double cost, double error) {
+        EXPECT_EQ(combined[at].changes, changes) << at;
+        EXPECT_DOUBLE_EQ(combined[at].cost, cost) << at;
+        EXPECT_NEAR(combined[at].error, error, 1e-12) << at;
     };
     expectStep(0, {{"a", "1"}, {"b", "x"}}, 1.0, 1.0);
     expectStep(1, {{"a", "2"}, {"b", "x"}}, 2.0, 0.5);
@@ -244,9 +244,9 @@ TEST(TradeWalk, FindsWhatIsWorthLessForItsTimeButFitsIn)
     // Samples are worth more for their time, but who has no time for them can have texels.
     const std::vector<SweptOption> options{{"samples", {{"1", 1.0, 10.0}, {"4", 5.0, 1.0}}},
                                            {"texels", {{"low", 1.0, 10.0}, {"high", 2.0, 9.0}}}};
-    const std::vector<WalkStep> walk = predictedFront(options, {1.0, 10.0});
-    ASSERT_EQ(walk.size(), 4u);
-    EXPECT_EQ(walk[1].changes, (Changes{{"samples", "1"}, {"texels", "high"}}));
+    const std::vector<SweepStep> combined = predictedFront(options, {1.0, 10.0});
+    ASSERT_EQ(combined.size(), 4u);
+    EXPECT_EQ(combined[1].changes, (Changes{{"samples", "1"}, {"texels", "high"}}));
 }
 
 TEST(TradeWalk, TheFrontOfManyOptionsStaysSmall)
@@ -258,42 +258,42 @@ TEST(TradeWalk, TheFrontOfManyOptionsStaysSmall)
             option.values.push_back({std::to_string(j), 1.0 + j * (1.0 + 0.01 * i), 1.0 / (1.0 + j + 0.1 * i)});
         options.push_back(std::move(option));
     }
-    const std::vector<WalkStep> walk = predictedFront(options, {1.0, 1.0});
-    EXPECT_GT(walk.size(), 100u);
-    EXPECT_LE(walk.size(), 1002u);
-    for (std::size_t i = 1; i < walk.size(); ++i) {
-        EXPECT_GT(walk[i].price, walk[i - 1].price);
-        EXPECT_LT(walk[i].error, walk[i - 1].error);
+    const std::vector<SweepStep> combined = predictedFront(options, {1.0, 1.0});
+    EXPECT_GT(combined.size(), 100u);
+    EXPECT_LE(combined.size(), 1002u);
+    for (std::size_t i = 1; i < combined.size(); ++i) {
+        EXPECT_GT(combined[i].cost, combined[i - 1].cost);
+        EXPECT_LT(combined[i].error, combined[i - 1].error);
     }
-    for (const auto& [key, value] : walk.front().changes)
+    for (const auto& [key, value] : combined.front().changes)
         EXPECT_EQ(value, "0") << key << ": the cheapest is all of the cheapest";
-    for (const auto& [key, value] : walk.back().changes)
+    for (const auto& [key, value] : combined.back().changes)
         EXPECT_EQ(value, "3") << key << ": the most accurate is all of the most accurate";
 }
 
 TEST(TradeWalk, ThinnedKeepsBothEnds)
 {
-    std::vector<WalkStep> steps;
+    std::vector<SweepStep> steps;
     for (int i = 0; i < 30; ++i) steps.push_back({{}, static_cast<double>(i), 0.0});
-    const std::vector<WalkStep> few = thinned(steps, 5);
+    const std::vector<SweepStep> few = thinned(steps, 5);
     ASSERT_EQ(few.size(), 5u);
-    EXPECT_DOUBLE_EQ(few.front().price, 0.0);
-    EXPECT_DOUBLE_EQ(few.back().price, 29.0);
+    EXPECT_DOUBLE_EQ(few.front().cost, 0.0);
+    EXPECT_DOUBLE_EQ(few.back().cost, 29.0);
     EXPECT_EQ(thinned(few, 8).size(), 5u);
 }
 
 TEST(TradeWalk, ThinnedFollowsTheFrontsLength)
 {
     // A steep part of many steps and a flat one of few: each is half as long as the whole.
-    std::vector<WalkStep> steps;
+    std::vector<SweepStep> steps;
     for (int i = 0; i <= 20; ++i) steps.push_back({{}, 0.0001 * i, 1.0 - 0.05 * i});
     for (int i = 1; i <= 4; ++i) steps.push_back({{}, 0.25 * i, -0.0001 * i});
-    const std::vector<WalkStep> few = thinned(steps, 5);
+    const std::vector<SweepStep> few = thinned(steps, 5);
     ASSERT_EQ(few.size(), 5u);
     EXPECT_NEAR(few[1].error, 0.5, 0.051);
-    EXPECT_NEAR(few[2].price, 0.0, 0.26);
-    EXPECT_NEAR(few[3].price, 0.5, 0.26);
-    EXPECT_DOUBLE_EQ(few[4].price, 1.0);
+    EXPECT_NEAR(few[2].cost, 0.0, 0.26);
+    EXPECT_NEAR(few[3].cost, 0.5, 0.26);
+    EXPECT_DOUBLE_EQ(few[4].cost, 1.0);
 }
 
 } // namespace

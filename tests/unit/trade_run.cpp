@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "measure/trade/report.h"
 #include "measure/trade/runner.h"
-#include "synthetic_lab.h"
+#include "synthetic_experiment.h"
 #include "temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -15,16 +15,16 @@ namespace tarn {
 namespace {
 
 using test::messageOf;
-using test::SyntheticLab;
+using test::SyntheticExperiment;
 using test::syntheticSetup;
 
 const PlanRequest smallPlan{{"refraction.steps=1:6", "caustics.photons=128,256,512"}, false, {}};
 
-TradeResults runIn(const std::filesystem::path& folder, const TradeSetup& setup, SyntheticLab& lab,
+TradeResults runIn(const std::filesystem::path& folder, const TradeSetup& setup, SyntheticExperiment& experiment,
                    const RunArguments& arguments = {})
 {
     TradeStore store(folder, keyOf(setup), false);
-    return runTrade(setup, store, lab, arguments).results;
+    return runTrade(setup, store, experiment, arguments).results;
 }
 
 const PointResult& resultOf(const TradeResults& results, const std::string& label)
@@ -39,43 +39,44 @@ TEST(TradeRun, MeasuresEverythingOnce)
 {
     const test::TempFolder folder;
     const TradeSetup setup = syntheticSetup(smallPlan);
-    SyntheticLab lab;
-    const TradeResults results = runIn(folder.path() / "new", setup, lab);
+    SyntheticExperiment experiment;
+    const TradeResults results = runIn(folder.path() / "new", setup, experiment);
     EXPECT_TRUE(results.complete());
-    EXPECT_FALSE(lab.repeatsItself());
+    EXPECT_FALSE(experiment.repeatsItself());
     EXPECT_EQ(results.points.size(), 8u);
     const PointResult& one = resultOf(results, "refraction.steps=1");
-    const double flip = SyntheticLab::flipOf(SyntheticLab::settingsOf(one.point).options);
+    const double flip = SyntheticExperiment::flipOf(SyntheticExperiment::settingsOf(one.point).options);
     EXPECT_NEAR(one.views[0].errors.flip, flip, 1e-12);
     EXPECT_NEAR(one.mean.errors.flip, 1.1 * flip, 1e-12);
     EXPECT_NEAR(one.mean.errors.causticsRmse, 1.5 * flip, 1e-12) << "a view without caustics does not count";
-    EXPECT_NEAR(one.mean.price.median, 1.05 * SyntheticLab::priceOf(SyntheticLab::settingsOf(one.point).options), 1e-9);
+    EXPECT_NEAR(one.mean.cost.median,
+                1.05 * SyntheticExperiment::costOf(SyntheticExperiment::settingsOf(one.point).options), 1e-9);
 }
 
 TEST(TradeRun, AFallLosesNothingThatWasDone)
 {
     const test::TempFolder folder;
-    const TradeSetup setup = syntheticSetup({{}, false, loadPresets()}); // with a walk
-    SyntheticLab whole;
+    const TradeSetup setup = syntheticSetup({{}, false, loadPresets()}); // with a greedy sweep
+    SyntheticExperiment whole;
     const TradeResults expected = runIn(folder.path() / "whole", setup, whole);
     std::vector<std::string> measured;
     const int inTheWalk = static_cast<int>(whole.measured.size()) - 107 - 5;
     for (const int failAfter : {0, 7, 100, inTheWalk, -1}) {
-        SyntheticLab lab;
-        lab.failAfter = failAfter;
+        SyntheticExperiment experiment;
+        experiment.failAfter = failAfter;
         if (failAfter >= 0) {
-            EXPECT_CONTAINS(messageOf<Error>([&] { runIn(folder.path() / "falls", setup, lab); }), "power");
+            EXPECT_CONTAINS(messageOf<Error>([&] { runIn(folder.path() / "falls", setup, experiment); }), "power");
         } else {
-            const TradeResults results = runIn(folder.path() / "falls", setup, lab);
+            const TradeResults results = runIn(folder.path() / "falls", setup, experiment);
             EXPECT_EQ(toCsv(setup, results), toCsv(setup, expected));
         }
-        measured.insert(measured.end(), lab.measured.begin(), lab.measured.end());
+        measured.insert(measured.end(), experiment.measured.begin(), experiment.measured.end());
     }
     std::sort(measured.begin(), measured.end());
     std::sort(whole.measured.begin(), whole.measured.end());
     EXPECT_EQ(measured, whole.measured) << "each unit once, over all runs";
 
-    SyntheticLab idle;
+    SyntheticExperiment idle;
     runIn(folder.path() / "falls", setup, idle);
     EXPECT_TRUE(idle.measured.empty());
 }
@@ -83,28 +84,29 @@ TEST(TradeRun, AFallLosesNothingThatWasDone)
 TEST(TradeRun, StopsWhenItIsTold)
 {
     const test::TempFolder folder;
-    SyntheticLab lab;
-    const RunArguments arguments{1, 1, [&] { return lab.measured.size() == 5; }, nullptr};
-    const std::string told = messageOf<Error>([&] { runIn(folder.path(), syntheticSetup(smallPlan), lab, arguments); });
+    SyntheticExperiment experiment;
+    const RunArguments arguments{1, 1, [&] { return experiment.measured.size() == 5; }, nullptr};
+    const std::string told =
+        messageOf<Error>([&] { runIn(folder.path(), syntheticSetup(smallPlan), experiment, arguments); });
     EXPECT_CONTAINS(told, "goes on from there");
-    EXPECT_EQ(lab.measured.size(), 5u);
+    EXPECT_EQ(experiment.measured.size(), 5u);
 }
 
 TEST(TradeRun, ShardsAreTheWholeAndMerge)
 {
     const test::TempFolder folder;
     const TradeSetup setup = syntheticSetup(smallPlan);
-    SyntheticLab whole;
+    SyntheticExperiment whole;
     const TradeResults expected = runIn(folder.path() / "whole", setup, whole);
     std::vector<std::string> measured;
     std::vector<std::filesystem::path> parts;
     for (int shard = 1; shard <= 3; ++shard) {
-        SyntheticLab lab;
-        lab.png = "picture";
+        SyntheticExperiment experiment;
+        experiment.png = "picture";
         parts.push_back(folder.path() / std::to_string(shard));
-        EXPECT_FALSE(runIn(parts.back(), setup, lab, {shard, 3, {}, nullptr}).complete());
-        EXPECT_GE(lab.measured.size(), 2u) << "a shard does its share";
-        measured.insert(measured.end(), lab.measured.begin(), lab.measured.end());
+        EXPECT_FALSE(runIn(parts.back(), setup, experiment, {shard, 3, {}, nullptr}).complete());
+        EXPECT_GE(experiment.measured.size(), 2u) << "a shard does its share";
+        measured.insert(measured.end(), experiment.measured.begin(), experiment.measured.end());
     }
     std::sort(measured.begin(), measured.end());
     std::sort(whole.measured.begin(), whole.measured.end());
@@ -124,35 +126,36 @@ TEST(TradeRun, TheWalkFollowsTheMergedShards)
     const TradeSetup setup = syntheticSetup({{}, false, {}});
     std::vector<std::filesystem::path> parts;
     for (int shard = 1; shard <= 2; ++shard) {
-        SyntheticLab lab;
+        SyntheticExperiment experiment;
         parts.push_back(folder.path() / std::to_string(shard));
-        runIn(parts.back(), setup, lab, {shard, 2, {}, nullptr});
+        runIn(parts.back(), setup, experiment, {shard, 2, {}, nullptr});
     }
     TradeStore merged(folder.path() / "merged", keyOf(setup), false);
     merged.merge(parts);
     EXPECT_FALSE(collectResults(setup, merged).complete());
-    SyntheticLab lab;
-    const TradeResults results = runTrade(setup, merged, lab).results;
+    SyntheticExperiment experiment;
+    const TradeResults results = runTrade(setup, merged, experiment).results;
     EXPECT_TRUE(results.complete());
     EXPECT_GT(results.points.size(), setup.plan.points.size() + 4);
-    EXPECT_LT(resultOf(results, "walk 1").mean.price.median, results.points.front().mean.price.median);
+    EXPECT_LT(resultOf(results, "greedy 1").mean.cost.median, results.points.front().mean.cost.median);
 }
 
-TEST(TradeRun, PricesOfBatchesAreRelatedByTheBase)
+TEST(TradeRun, CostsOfBatchesAreRelatedByTheBase)
 {
     const test::TempFolder folder;
-    SyntheticLab lab;
-    lab.drift = 0.5; // each batch finds the machine half as slow again
+    SyntheticExperiment experiment;
+    experiment.drift = 0.5; // each batch finds the machine half as slow again
     const TradeSetup setup = syntheticSetup({{"refraction.steps=1:40"}, false, {}});
-    const TradeResults results = runIn(folder.path(), setup, lab);
+    const TradeResults results = runIn(folder.path(), setup, experiment);
     const auto ratio = [&](const std::string& label) {
-        return resultOf(results, label).views[0].price.median / results.points.front().views[0].price.median;
+        return resultOf(results, label).views[0].cost.median / results.points.front().views[0].cost.median;
     };
-    const double base = SyntheticLab::priceOf(Options{});
+    const double base = SyntheticExperiment::costOf(Options{});
     for (const int steps : {1, 20, 40}) {
         Options options;
         options.refraction.steps = steps;
-        EXPECT_NEAR(ratio(fmt::format("refraction.steps={}", steps)), SyntheticLab::priceOf(options) / base, 1e-9);
+        EXPECT_NEAR(ratio(fmt::format("refraction.steps={}", steps)), SyntheticExperiment::costOf(options) / base,
+                    1e-9);
     }
 }
 
@@ -160,10 +163,10 @@ TEST(TradeStore, ResultsOfAnotherTradeAreRefused)
 {
     const test::TempFolder folder;
     TradeSetup setup = syntheticSetup(smallPlan);
-    SyntheticLab lab;
-    runIn(folder.path(), setup, lab);
+    SyntheticExperiment experiment;
+    runIn(folder.path(), setup, experiment);
     setup.about["size"] = "640x480";
-    const std::string told = messageOf<Error>([&] { runIn(folder.path(), setup, lab); });
+    const std::string told = messageOf<Error>([&] { runIn(folder.path(), setup, experiment); });
     EXPECT_CONTAINS(told, "'320x240' size, not '640x480'");
     EXPECT_CONTAINS(told, "--fresh");
     EXPECT_CONTAINS(messageOf<Error>([&] {
@@ -172,7 +175,7 @@ TEST(TradeStore, ResultsOfAnotherTradeAreRefused)
                     }),
                     "merged");
     const TradeSetup otherPlan = syntheticSetup({{"refraction.steps=1:5"}, false, {}});
-    EXPECT_CONTAINS(messageOf<Error>([&] { runIn(folder.path(), otherPlan, lab); }), "plan");
+    EXPECT_CONTAINS(messageOf<Error>([&] { runIn(folder.path(), otherPlan, experiment); }), "plan");
 
     TradeStore fresh(folder.path(), keyOf(setup), true);
     EXPECT_EQ(collectResults(setup, fresh).done, 0u);
@@ -182,11 +185,11 @@ TEST(TradeStore, DamagedAndMissingResultsAreNamed)
 {
     const test::TempFolder folder;
     const TradeSetup setup = syntheticSetup(smallPlan);
-    SyntheticLab lab;
-    runIn(folder.path(), setup, lab);
+    SyntheticExperiment experiment;
+    runIn(folder.path(), setup, experiment);
     const std::string name = measuringUnits(setup, setup.plan.points).front().name() + ".json";
     writeFile(folder.path() / "results" / name, "{\"figures\":");
-    EXPECT_CONTAINS(messageOf<Error>([&] { runIn(folder.path(), setup, lab); }), name);
+    EXPECT_CONTAINS(messageOf<Error>([&] { runIn(folder.path(), setup, experiment); }), name);
     EXPECT_CONTAINS(messageOf<Error>([&] { readTradeKey(folder.path() / "nowhere"); }), "no results");
 }
 
@@ -195,8 +198,8 @@ TEST(TradeResults, CsvHasARowForEachPointAndView)
     const test::TempFolder folder;
     TradeSetup setup = syntheticSetup(smallPlan);
     setup.views = {"a, \"b\"", "far"};
-    SyntheticLab lab;
-    const std::string csv = toCsv(setup, runIn(folder.path(), setup, lab));
+    SyntheticExperiment experiment;
+    const std::string csv = toCsv(setup, runIn(folder.path(), setup, experiment));
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 8 * 3);
     EXPECT_EQ(csv.rfind("id,label,origin,view,median_ms,p95_ms,cpu_ms,refraction.median,", 0), 0u);
     EXPECT_CONTAINS(csv, "\"a, \"\"b\"\"\"");
@@ -211,8 +214,8 @@ TEST(TradeResults, JsonHoldsEverything)
 {
     const test::TempFolder folder;
     const TradeSetup setup = syntheticSetup(smallPlan);
-    SyntheticLab lab;
-    const nlohmann::json json = toJson(setup, runIn(folder.path(), setup, lab), "tarn trade --out x");
+    SyntheticExperiment experiment;
+    const nlohmann::json json = toJson(setup, runIn(folder.path(), setup, experiment), "tarn trade --out x");
     EXPECT_EQ(json["command"], "tarn trade --out x");
     EXPECT_EQ(json["points"].size(), 8u);
     EXPECT_EQ(json["sweeps"][0]["key"], "refraction.steps");
@@ -227,17 +230,17 @@ TEST(TradeResults, JsonHoldsEverything)
     EXPECT_EQ(json["budgets"][1]["remaining"], 0.015);
 }
 
-TEST(TradeRun, ViewsThatTakeTurnsHavePricesAllTheSame)
+TEST(TradeRun, ViewsThatTakeTurnsHaveCostsAllTheSame)
 {
     const test::TempFolder folder;
     TradeSetup setup = syntheticSetup(smallPlan);
     setup.takesTurns = true;
-    SyntheticLab lab;
-    const TradeResults results = runIn(folder.path(), setup, lab);
+    SyntheticExperiment experiment;
+    const TradeResults results = runIn(folder.path(), setup, experiment);
     EXPECT_TRUE(results.complete());
     for (const PointResult& point : results.points) {
-        EXPECT_TRUE(std::isnan(point.views[1].price.median));
-        EXPECT_DOUBLE_EQ(point.mean.price.median, point.views[0].price.median);
+        EXPECT_TRUE(std::isnan(point.views[1].cost.median));
+        EXPECT_DOUBLE_EQ(point.mean.cost.median, point.views[0].cost.median);
         EXPECT_FALSE(std::isnan(point.mean.errors.flip));
     }
 }

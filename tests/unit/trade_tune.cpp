@@ -1,10 +1,10 @@
-// Presets and tuning on a surface of prices and errors that is known.
+// Presets and tuning on a surface of costs and errors that is known.
 
 #include "app/presets.h"
 #include "measure/trade/presets.h"
 #include "measure/trade/runner.h"
 #include "measure/trade/tune.h"
-#include "synthetic_lab.h"
+#include "synthetic_experiment.h"
 #include "temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace tarn {
 namespace {
 
 using test::messageOf;
-using test::SyntheticLab;
+using test::SyntheticExperiment;
 using test::syntheticSetup;
 
 const std::vector<std::string> fewSweeps{"refraction.steps=1,2,3,6,12,24", "refraction.target_size=128:2048:*2",
@@ -34,8 +34,8 @@ Tuned exhaustive(const TuneGoal& goal)
     Tuned best{{}, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     const DescribeSettings describe = describerOf(Settings{});
     for (const TradePoint& point : planTrade({fewSweeps, true, {}}, describe).points) {
-        const Options options = SyntheticLab::settingsOf(point).options;
-        const Tuned tuned{point, SyntheticLab::priceOf(options), SyntheticLab::flipOf(options)};
+        const Options options = SyntheticExperiment::settingsOf(point).options;
+        const Tuned tuned{point, SyntheticExperiment::costOf(options), SyntheticExperiment::flipOf(options)};
         const double value = goal.maxError ? tuned.ms : tuned.error, least = goal.maxError ? best.ms : best.error;
         const bool reached = goal.maxError ? tuned.error <= *goal.maxError : tuned.ms <= *goal.budgetMs;
         if (reached && value < least) best = tuned;
@@ -46,9 +46,9 @@ Tuned exhaustive(const TuneGoal& goal)
 TEST(Tune, FindsTheCheapestThatIsAccurateEnough)
 {
     for (const double limit : {0.08, 0.07, 0.06, 0.055}) {
-        SyntheticLab lab;
+        SyntheticExperiment experiment;
         const TuneGoal goal{limit, {}};
-        const TuneOutcome outcome = tune(requestOf(goal), lab);
+        const TuneOutcome outcome = tune(requestOf(goal), experiment);
         EXPECT_TRUE(outcome.reached) << limit;
         EXPECT_LE(outcome.best.error, limit);
         EXPECT_LE(outcome.best.ms, 1.05 * exhaustive(goal).ms) << "limit " << limit;
@@ -59,9 +59,9 @@ TEST(Tune, FindsTheCheapestThatIsAccurateEnough)
 TEST(Tune, FindsTheMostAccurateWithinTheBudget)
 {
     for (const double budget : {7.0, 9.0, 15.0, 40.0}) {
-        SyntheticLab lab;
+        SyntheticExperiment experiment;
         const TuneGoal goal{{}, budget};
-        const TuneOutcome outcome = tune(requestOf(goal), lab);
+        const TuneOutcome outcome = tune(requestOf(goal), experiment);
         EXPECT_TRUE(outcome.reached) << budget;
         EXPECT_LE(outcome.best.ms, budget);
         EXPECT_LE(outcome.best.error, 1.05 * exhaustive(goal).error) << "budget " << budget;
@@ -70,12 +70,12 @@ TEST(Tune, FindsTheMostAccurateWithinTheBudget)
 
 TEST(Tune, TellsTheNearestWhenTheGoalIsOutOfReach)
 {
-    SyntheticLab lab;
-    const TuneOutcome accurate = tune(requestOf({0.001, {}}), lab);
+    SyntheticExperiment experiment;
+    const TuneOutcome accurate = tune(requestOf({0.001, {}}), experiment);
     EXPECT_FALSE(accurate.reached);
     EXPECT_EQ(accurate.best.point.changes.at("refraction.steps"), "24");
     EXPECT_EQ(accurate.best.point.changes.at("caustics.photons"), "1024");
-    const TuneOutcome cheap = tune(requestOf({{}, 0.1}), lab);
+    const TuneOutcome cheap = tune(requestOf({{}, 0.1}), experiment);
     EXPECT_FALSE(cheap.reached);
     EXPECT_EQ(cheap.best.point.changes.at("frame.msaa"), "1");
     EXPECT_EQ(cheap.best.point.changes.at("caustics.photons"), "128");
@@ -83,10 +83,10 @@ TEST(Tune, TellsTheNearestWhenTheGoalIsOutOfReach)
 
 TEST(Tune, MeasuresNothingTwiceAndNeverChoosesWhatItCouldNotMeasure)
 {
-    SyntheticLab lab;
-    tune(requestOf({0.06, {}}), lab);
+    SyntheticExperiment experiment;
+    tune(requestOf({0.06, {}}), experiment);
     std::vector<std::string> errors;
-    for (const std::string& what : lab.measured)
+    for (const std::string& what : experiment.measured)
         if (what.starts_with("errors")) errors.push_back(what);
     EXPECT_EQ(std::set<std::string>(errors.begin(), errors.end()).size(), errors.size());
 
@@ -98,39 +98,39 @@ TEST(Tune, MeasuresNothingTwiceAndNeverChoosesWhatItCouldNotMeasure)
     EXPECT_TRUE(isBetter({{}, 5.0}, {{}, 4.9, 0.1}, {{}, 1.0, 0.2}));
 }
 
-/// Results with one view, from prices and errors; the first is the base, the second the thesis.
-TradeResults resultsOf(const TradeSetup& setup, const std::vector<std::pair<double, double>>& priced)
+/// Results with one view, from costs and errors; the first is the base, the second the thesis.
+TradeResults resultsOf(const TradeSetup& setup, const std::vector<std::pair<double, double>>& costed)
 {
     TradeResults results;
-    for (std::size_t i = 0; i < priced.size(); ++i) {
+    for (std::size_t i = 0; i < costed.size(); ++i) {
         PointResult result;
         result.point = setup.plan.points[i];
-        result.mean.price.median = priced[i].first;
-        result.mean.errors.flip = priced[i].second;
+        result.mean.cost.median = costed[i].first;
+        result.mean.errors.flip = costed[i].second;
         results.points.push_back(result);
     }
     return results;
 }
 
-std::vector<std::size_t> picksOf(const std::vector<std::pair<double, double>>& priced, bool thesis)
+std::vector<std::size_t> picksOf(const std::vector<std::pair<double, double>>& costed, bool thesis)
 {
     TradeSetup setup = syntheticSetup({{"refraction.steps=1:20"}, false, {}});
     if (thesis) setup.plan.presets = {{"thesis", 1}};
     std::vector<std::size_t> points;
-    for (const PresetPick& pick : pickPresets(setup, resultsOf(setup, priced))) points.push_back(pick.point);
+    for (const PresetPick& pick : pickPresets(setup, resultsOf(setup, costed))) points.push_back(pick.point);
     return points;
 }
 
 TEST(Presets, ArePickedFromTheFrontByTheRule)
 {
-    // The front is 2 3 4 5 6 7; prices from 1 to 64, thirds at 4 and 16.
-    const std::vector<std::pair<double, double>> priced{{70, 9}, {9, 6.5}, {1, 8},  {3, 6},
+    // The front is 2 3 4 5 6 7; costs from 1 to 64, thirds at 4 and 16.
+    const std::vector<std::pair<double, double>> costed{{70, 9}, {9, 6.5}, {1, 8},  {3, 6},
                                                         {4, 5},  {15, 4},  {20, 3}, {64, 1}};
-    EXPECT_EQ(picksOf(priced, false), (std::vector<std::size_t>{2, 2, 4, 5, 7}));
+    EXPECT_EQ(picksOf(costed, false), (std::vector<std::size_t>{2, 2, 4, 5, 7}));
     // The thesis costs 9, and 4 is the most accurate up to there; thirds of 4 to 64 are at 10.1 and 25.4.
     // 3 is the cheapest that is no less accurate.
-    EXPECT_EQ(picksOf(priced, true), (std::vector<std::size_t>{3, 4, 4, 6, 7}));
-    // A thesis on the front itself: 3 is what its own price buys.
+    EXPECT_EQ(picksOf(costed, true), (std::vector<std::size_t>{3, 4, 4, 6, 7}));
+    // A thesis on the front itself: 3 is what its own cost buys.
     EXPECT_EQ(picksOf({{70, 9}, {3, 6}, {1, 8}, {64, 1}}, true), (std::vector<std::size_t>{1, 1, 1, 1, 3}));
     // Nothing is known of what the thesis costs.
     EXPECT_EQ(picksOf({{70, 9}, {std::nan(""), 6}, {1, 8}, {64, 1}}, true), (std::vector<std::size_t>{2, 2, 2, 2, 3}));

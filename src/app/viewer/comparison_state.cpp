@@ -24,9 +24,9 @@ bool ComparisonState::next()
     return false;
 }
 
-void ComparisonState::setSlider(float share)
+void ComparisonState::setSlider(float fraction)
 {
-    if (std::isfinite(share)) slider_ = std::clamp(share, 0.0f, 1.0f);
+    if (std::isfinite(fraction)) slider_ = std::clamp(fraction, 0.0f, 1.0f);
 }
 
 std::string ComparisonState::note() const

@@ -30,7 +30,7 @@ public:
 
     /// By so many steps to the right; it stays in the window.
     void moveSlider(int steps) { setSlider(slider_ + 0.05f * static_cast<float>(steps)); }
-    void setSlider(float share);
+    void setSlider(float fraction);
     float slider() const { return slider_; } ///< share of the window's width that is live
 
     void chooseError(ErrorKind kind) { kind_ = kind; }

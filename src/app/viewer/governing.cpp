@@ -81,12 +81,12 @@ bool movesWithTime(const WaterBody& water)
 
 void Viewer::beginToGovern()
 {
-    float& target = stage_.settings.options.frame.targetMs;
+    float& target = sceneSetup_.settings.options.frame.targetMs;
     if (command_.fps) target = *command_.fps > 0.0 ? static_cast<float>(1e3 / *command_.fps) : 0.0f;
     lastTargetMs_ = target > 0.0f ? target : FrameOptions{}.targetMs;
-    const std::string& name = stage_.scene.name;
-    governed_.emplace(readLadder(command_.ladder.empty() ? shippedLadder() : command_.ladder), stage_.settings,
-                      name.empty() ? stage_.scene.file.stem().string() : name, tuningFor(window_));
+    const std::string& name = sceneSetup_.scene.name;
+    governed_.emplace(readLadder(command_.ladder.empty() ? shippedLadder() : command_.ladder), sceneSetup_.settings,
+                      name.empty() ? sceneSetup_.scene.file.stem().string() : name, tuningFor(window_));
 }
 
 /// Since it was last asked, by the person.
@@ -99,8 +99,8 @@ bool Viewer::isDisturbed(ivec2 size)
 
 bool Viewer::isStill() const
 {
-    return !stage_.settings.options.stereo.isOn() && view_ == DebugView::final &&
-           (clock_.paused() || !movesWithTime(stage_.settings.water));
+    return !sceneSetup_.settings.options.stereo.isOn() && view_ == DebugView::final &&
+           (clock_.paused() || !movesWithTime(sceneSetup_.settings.water));
 }
 
 /// What was asked for is drawn: a sample only once it was seen, so that none is left out.
@@ -116,7 +116,7 @@ bool Viewer::isAnswered() const
 void Viewer::govern(ivec2 size)
 {
     disturbed_ = isDisturbed(size) || disturbed_;
-    const bool isTouched = governed_->setOwn(stage_.settings) || disturbed_;
+    const bool isTouched = governed_->setOwn(sceneSetup_.settings) || disturbed_;
     const bool suspended = compares() && comparison_->state().shown() != ComparisonMode::off;
     if (isTouched || isAnswered() || suspended) {
         answeredAtPart_ = picture_.answered();
@@ -164,7 +164,7 @@ void Viewer::buildAtRest()
     buildingStops_ = std::make_shared<std::atomic<bool>>(false);
     const auto promise = std::make_shared<std::promise<int>>();
     built_ = promise->get_future();
-    picture_.post([promise, options = building_, water = stage_.settings.water, stops = buildingStops_,
+    picture_.post([promise, options = building_, water = sceneSetup_.settings.water, stops = buildingStops_,
                    before = builtBefore_](FrameSource& source) {
         promise->set_value(buildSlice(*source.renderer(), options, water, *stops, before));
     });
@@ -172,7 +172,7 @@ void Viewer::buildAtRest()
 
 void Viewer::toggleGovernor()
 {
-    float& target = stage_.settings.options.frame.targetMs;
+    float& target = sceneSetup_.settings.options.frame.targetMs;
     if (target > 0.0f)
         lastTargetMs_ = std::exchange(target, 0.0f);
     else

@@ -5,9 +5,9 @@
 namespace tarn {
 
 BackgroundLoad::BackgroundLoad(const SceneArguments& arguments)
-    : stage_(std::async(std::launch::async, [this, arguments] { return loadStage(arguments, &progress_); }))
+    : sceneSetup_(std::async(std::launch::async, [this, arguments] { return loadSceneSetup(arguments, &progress_); }))
 {}
 
-bool BackgroundLoad::done() const { return stage_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+bool BackgroundLoad::done() const { return sceneSetup_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
 } // namespace tarn

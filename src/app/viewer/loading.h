@@ -1,7 +1,7 @@
 // Reading the scene in the background while the window shows how far it is.
 #pragma once
 
-#include "app/stage.h"
+#include "app/scene_setup.h"
 #include "base/progress.h"
 
 #include <future>
@@ -19,13 +19,13 @@ public:
 
     bool done() const;
     /// Waits when it is not done. Throws what the loading threw. Once only.
-    Stage take() { return stage_.get(); }
+    SceneSetup take() { return sceneSetup_.get(); }
 
     SharedProgress::State progress() const { return progress_.state(); }
 
 private:
     SharedProgress progress_;
-    std::future<Stage> stage_; // after what the thread uses, so that it ends first
+    std::future<SceneSetup> sceneSetup_; // after what the thread uses, so that it ends first
 };
 
 } // namespace tarn

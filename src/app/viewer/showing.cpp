@@ -59,7 +59,7 @@ FrameRequest Viewer::request() const
     const ivec2 size = window_.framebufferSize();
     return {camera_.camera(),
             clock_.time(),
-            eyeSizeFor(size, stage_.settings.options.stereo.output),
+            eyeSizeFor(size, sceneSetup_.settings.options.stereo.output),
             view_,
             governed_->drawn().options,
             governed_->drawn().water,

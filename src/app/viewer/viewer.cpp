@@ -98,23 +98,23 @@ bool Viewer::load()
         }
         drawLoadingFrame(loading.progress());
     }
-    stage_ = loading.take();
+    sceneSetup_ = loading.take();
     beginToGovern();
-    startSettings_ = stage_.settings;
+    startSettings_ = sceneSetup_.settings;
     begin();
-    picture_.show(stage_.scene,
-                  compares() ? stage_.settings : governed_->drawn()); // a comparison is with the own settings
+    picture_.show(sceneSetup_.scene,
+                  compares() ? sceneSetup_.settings : governed_->drawn()); // a comparison is with the own settings
     return true;
 }
 
 /// At the reference's view and time, where there is a reference, unless the command line names others.
 void Viewer::begin()
 {
-    const Camera chosen = chooseCamera(stage_.scene, command_.view.camera);
+    const Camera chosen = chooseCamera(sceneSetup_.scene, command_.view.camera);
     camera_.jumpTo(chosen);
     if (!truth_) return;
-    const ReferenceView view = referenceView(*truth_, stage_.scene, command_.reference);
-    warnOfOtherScene(*truth_, stage_.scene, command_.reference);
+    const ReferenceView view = referenceView(*truth_, sceneSetup_.scene, command_.reference);
+    warnOfOtherScene(*truth_, sceneSetup_.scene, command_.reference);
     comparison_ = std::make_unique<Comparison>(*std::move(truth_), view);
     truth_.reset();
     if (!command_.view.camera.isGiven()) camera_.jumpTo(view.camera);
@@ -168,7 +168,7 @@ void Viewer::takeInput(double seconds)
 
 void Viewer::obey(const KeyCommand& command)
 {
-    Options& options = stage_.settings.options;
+    Options& options = sceneSetup_.settings.options;
     const auto switched = [&](bool& option, const char* name) {
         toggle(option);
         say(fmt::format("{} {}", name, option ? "on" : "off"));
@@ -203,7 +203,7 @@ void Viewer::obey(const KeyCommand& command)
 
 void Viewer::jumpToCamera(int index)
 {
-    const std::vector<Camera>& cameras = stage_.scene.cameras;
+    const std::vector<Camera>& cameras = sceneSetup_.scene.cameras;
     if (index >= static_cast<int>(cameras.size()))
         return say(fmt::format("the scene has {} camera{} only", cameras.size(), cameras.size() == 1 ? "" : "s"));
     const Camera& camera = cameras[static_cast<std::size_t>(index)];
@@ -229,13 +229,13 @@ void Viewer::drawWidgets(const FrameStats& stats)
     const double now = lastFrame_;
     const HudState hud{.rate = rate_,
                        .camera = camera_,
-                       .scene = stage_.scene.name,
+                       .scene = sceneSetup_.scene.name,
                        .view = debugViewNames[static_cast<std::size_t>(view_)],
                        .time = clock_.time(),
                        .paused = clock_.paused(),
                        .underwater = stats.plan.underwater,
                        .triangles = stats.triangles(),
-                       .stereo = stereoText(stage_.settings.options.stereo),
+                       .stereo = stereoText(sceneSetup_.settings.options.stereo),
                        .comparison = compares() ? comparison_->note() : "",
                        .governor = picture_.isFull() ? governed_->text(rate_.framesPerSecond()) : "",
                        .draft = !picture_.isFull(),
@@ -250,8 +250,8 @@ void Viewer::drawWidgets(const FrameStats& stats)
             if (compares()) comparison_->drawChoice();
             if (picture_.isFull()) drawPlan(toTable(stats.plan));
         };
-        const PanelResult result = drawPanel(fieldTree(stage_.settings), widgets_.scale(), panelOpen_, choice);
-        if (result.reset) stage_.settings = startSettings_;
+        const PanelResult result = drawPanel(fieldTree(sceneSetup_.settings), widgets_.scale(), panelOpen_, choice);
+        if (result.reset) sceneSetup_.settings = startSettings_;
     }
     // Window managers are slow with titles, and eyes are slower.
     if (now - lastTitle_ >= 0.5) {

@@ -3,8 +3,8 @@
 
 #include "app/command_line.h"
 #include "app/live_picture.h"
+#include "app/scene_setup.h"
 #include "app/spare_memory.h"
-#include "app/stage.h"
 #include "app/viewer/comparison.h"
 #include "app/viewer/fly_camera.h"
 #include "app/viewer/frame_rate.h"
@@ -64,7 +64,7 @@ private:
     void obey(const KeyCommand& command);
     void jumpToCamera(int index);
     /// A reference is there, and one eye's picture to hold against it.
-    bool compares() const { return comparison_ && !stage_.settings.options.stereo.isOn(); }
+    bool compares() const { return comparison_ && !sceneSetup_.settings.options.stereo.isOn(); }
     void compareNext();
     void drawWidgets(const FrameStats& stats);
     void say(const std::string& message);
@@ -75,10 +75,10 @@ private:
     gl::Window window_;
     GlfwInput input_;
     ImGuiLayer widgets_;
-    Stage stage_;
+    SceneSetup sceneSetup_;
     Settings startSettings_;
     std::unique_ptr<Comparison> comparison_; ///< null: no reference was named
-    SpareMemory spare_{stage_.scene};
+    SpareMemory spare_{sceneSetup_.scene};
     LivePicture picture_;
     std::optional<GovernedSettings> governed_; ///< once the scene is there
     GovernedSettings::Part part_;              ///< of the frame that is asked for

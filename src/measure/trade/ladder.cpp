@@ -1,9 +1,9 @@
 #include "measure/trade/ladder.h"
 
 #include "base/error.h"
+#include "measure/trade/greedy_sweep.h"
 #include "measure/trade/pareto.h"
 #include "measure/trade/presets.h"
-#include "measure/trade/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,14 +48,14 @@ bool isCheaper(const Sweep& sweep, const std::string& value, double base)
     return (rankAt(sweep.key, value) - base) * direction > 0.0;
 }
 
-/// A swept option with the base's own value among those that a walk may choose.
+/// A swept option with the base's own value among those that a greedy sweep may choose.
 SweptOption optionOf(const TradePlan::SweptPoints& swept, const std::vector<PointResult>& results,
-                     const PricedError& base, const std::function<double(const Measured&)>& errorOf)
+                     const CostedError& base, const std::function<double(const Measured&)>& errorOf)
 {
-    SweptOption option{swept.sweep.key, {{"", base.price, base.error}}};
+    SweptOption option{swept.sweep.key, {{"", base.cost, base.error}}};
     for (std::size_t i = 0; i < swept.points.size(); ++i) {
         const Measured& measured = results[swept.points[i]].mean;
-        option.values.push_back({swept.sweep.values[i], measured.price.median, errorOf(measured)});
+        option.values.push_back({swept.sweep.values[i], measured.cost.median, errorOf(measured)});
     }
     return option;
 }
@@ -94,20 +94,20 @@ std::vector<Sweep> cheaperSweeps(const DescribeSettings& describe)
 std::vector<TradePoint> ladderWalk(const TradeSetup& setup, const std::vector<PointResult>& results,
                                    const std::function<double(const Measured&)>& errorOf)
 {
-    const PricedError base{results.front().mean.price.median, errorOf(results.front().mean)};
+    const CostedError base{results.front().mean.cost.median, errorOf(results.front().mean)};
     std::vector<SweptOption> sizes, programs;
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
         (isSizeOnly(swept.sweep.key) ? sizes : programs).push_back(optionOf(swept, results, base, errorOf));
 
-    // Few sets of programs, which the sizes' walk takes for the values of one more option.
-    const std::vector<WalkStep> sets = thinned(predictedFront(programs, base), programSets);
-    SweptOption set{"programs", {{"", base.price, base.error}}};
+    // Few sets of programs, which the sweep of sizes takes for the values of one more option.
+    const std::vector<SweepStep> sets = thinned(predictedFront(programs, base), programSets);
+    SweptOption set{"programs", {{"", base.cost, base.error}}};
     for (std::size_t i = 0; i < sets.size(); ++i)
-        set.values.push_back({std::to_string(i), sets[i].price, sets[i].error});
+        set.values.push_back({std::to_string(i), sets[i].cost, sets[i].error});
     sizes.push_back(set);
 
-    std::vector<TradePoint> known = setup.plan.points, walk;
-    for (const WalkStep& step : thinned(predictedFront(sizes, base), combinations)) {
+    std::vector<TradePoint> known = setup.plan.points, combined;
+    for (const SweepStep& step : thinned(predictedFront(sizes, base), combinations)) {
         Changes changes = step.changes;
         if (const auto chosen = changes.find(set.key); chosen != changes.end()) {
             const std::string index = chosen->second;
@@ -115,11 +115,11 @@ std::vector<TradePoint> ladderWalk(const TradeSetup& setup, const std::vector<Po
             if (!index.empty()) changes.merge(Changes(sets[std::stoul(index)].changes));
         }
         const std::size_t before = known.size();
-        const std::string label = fmt::format("walk {}", walk.size() + 1);
-        const std::size_t at = addPoint(known, makePoint(changed(changes), label, "walk", setup.describe));
-        if (at == before) walk.push_back(known[at]);
+        const std::string label = fmt::format("greedy {}", combined.size() + 1);
+        const std::size_t at = addPoint(known, makePoint(changed(changes), label, "greedy", setup.describe));
+        if (at == before) combined.push_back(known[at]);
     }
-    return walk;
+    return combined;
 }
 
 Ladder pickLadder(const TradeSetup& setup, const TradeResults& results,
@@ -127,24 +127,24 @@ Ladder pickLadder(const TradeSetup& setup, const TradeResults& results,
 {
     const PointResult& base = results.points.front();
     std::vector<const PointResult*> candidates{&base};
-    std::vector<PricedError> priced{{base.mean.price.median, errorOf(base.mean)}};
+    std::vector<CostedError> costed{{base.mean.cost.median, errorOf(base.mean)}};
     for (const PointResult& result : results.points) {
-        const bool mayBeRung = result.point.origin == "walk" || onlySizes(result.point.changes);
-        if (!mayBeRung || &result == &base || !(result.mean.price.median < base.mean.price.median)) continue;
+        const bool mayBeRung = result.point.origin == "greedy" || onlySizes(result.point.changes);
+        if (!mayBeRung || &result == &base || !(result.mean.cost.median < base.mean.cost.median)) continue;
         candidates.push_back(&result);
-        priced.push_back({result.mean.price.median, errorOf(result.mean)});
+        costed.push_back({result.mean.cost.median, errorOf(result.mean)});
     }
     Ladder ladder;
     ladder.rungs.push_back(
-        {{}, 1.0, base.mean.price.median, base.mean.errors.flip, base.mean.errors.refractionWrong5cm});
-    std::vector<std::size_t> front = paretoFront(priced);
+        {{}, 1.0, base.mean.cost.median, base.mean.errors.flip, base.mean.errors.refractionWrong5cm});
+    std::vector<std::size_t> front = paretoFront(costed);
     std::reverse(front.begin(), front.end()); // from the most accurate
     for (const std::size_t i : front) {
         const Measured& measured = candidates[i]->mean;
         const Rung above = ladder.rungs.back();
-        const double cost = measured.price.median / base.mean.price.median;
+        const double cost = measured.cost.median / base.mean.cost.median;
         if (cost > clearlyLess * above.cost) continue;
-        ladder.rungs.push_back({candidates[i]->point.changes, cost, measured.price.median,
+        ladder.rungs.push_back({candidates[i]->point.changes, cost, measured.cost.median,
                                 std::max(measured.errors.flip, above.flip),
                                 std::max(measured.errors.refractionWrong5cm, above.wrongHits)});
     }

@@ -1,8 +1,8 @@
 // A ladder for the governor (plan/ladder.h), out of a trade of its own.
 //
-// The plan sweeps, one at a time, what makes a frame cheaper than the base. The walk combines: sizes and counts freely,
-// but of what needs programs of its own (plan/ladder.h, isSizeOnly) only few sets, so that moving along the ladder
-// seldom changes programs. What it proposes is measured; the rungs are the front of that.
+// The plan sweeps, one at a time, what makes a frame cheaper than the base. The greedy sweep combines: sizes and counts
+// freely, but of what needs programs of its own (plan/ladder.h, isSizeOnly) only few sets, so that moving along the
+// ladder seldom changes programs. What it proposes is measured; the rungs are the front of that.
 #pragma once
 
 #include "measure/trade/results.h"

@@ -7,13 +7,13 @@
 
 namespace tarn {
 
-std::vector<std::size_t> paretoFront(std::span<const PricedError> points)
+std::vector<std::size_t> paretoFront(std::span<const CostedError> points)
 {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (!std::isnan(points[i].price) && !std::isnan(points[i].error)) order.push_back(i);
+        if (!std::isnan(points[i].cost) && !std::isnan(points[i].error)) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        if (points[a].price != points[b].price) return points[a].price < points[b].price;
+        if (points[a].cost != points[b].cost) return points[a].cost < points[b].cost;
         return points[a].error < points[b].error;
     });
     std::vector<std::size_t> front;

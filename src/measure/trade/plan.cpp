@@ -129,7 +129,7 @@ TradePlan planTrade(const PlanRequest& request, const DescribeSettings& describe
     for (const Preset& preset : request.presets)
         plan.presets.emplace_back(preset.name,
                                   addPoint(plan.points, makePoint(preset.changes, preset.name, "preset", describe)));
-    plan.walk = isDefault && !request.presetsOnly;
+    plan.isGreedy = isDefault && !request.presetsOnly;
     plan.ladder = request.ladder;
     return plan;
 }

@@ -1,6 +1,6 @@
 // Which settings `tarn trade` measures.
 //
-// A plan's points are known before any work. From their results comes the walk (measure/trade/walk.h):
+// A plan's points are known before any work. From their results comes the greedy sweep (measure/trade/greedy_sweep.h):
 // combined settings that ought to lie on the Pareto front.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace tarn {
 struct TradePoint {
     std::string id;     ///< of its changes: the same in every run over the same base
     std::string label;  ///< "base", "refraction.steps=1", "thesis"
-    std::string origin; ///< "base", "sweep", "grid", "preset", "walk"
+    std::string origin; ///< "base", "sweep", "grid", "preset", "greedy"
     Changes changes;    ///< only what truly differs from the base
 };
 
@@ -29,7 +29,7 @@ struct TradePlan {
     };
     std::vector<SweptPoints> sweeps;                          ///< one at a time; empty with a grid
     std::vector<std::pair<std::string, std::size_t>> presets; ///< name, point
-    bool walk = false;                                        ///< combined points are to follow
+    bool isGreedy = false;                                    ///< combined points are to follow
     bool ladder = false;                                      ///< they are to be rungs (measure/trade/ladder.h)
 
     const TradePoint& base() const { return points.front(); }
@@ -42,8 +42,9 @@ struct Preset {
 };
 
 struct PlanRequest {
-    std::vector<std::string> sweeps; ///< --sweep, as written; empty: the default plan, with presets and walk
-    bool grid = false;               ///< every combination instead of one option at a time
+    std::vector<std::string>
+        sweeps;        ///< --sweep, as written; empty: the default plan, with presets and the greedy sweep
+    bool grid = false; ///< every combination instead of one option at a time
     std::vector<Preset> presets;
     bool presetsOnly = false; ///< no sweeps: the base and the presets
     bool ladder = false;      ///< what makes a frame cheaper, and combinations of it

@@ -20,11 +20,11 @@ const FigureField& flipField()
 }
 
 /// What the thesis' settings cost and get wrong, where the plan has them.
-std::optional<PricedError> thesisPoint(const TradeSetup& setup, const TradeResults& results)
+std::optional<CostedError> thesisPoint(const TradeSetup& setup, const TradeResults& results)
 {
     for (const auto& [name, index] : setup.plan.presets) {
-        const PricedError point{results.points[index].mean.price.median, results.points[index].mean.errors.flip};
-        if (name == "thesis" && !std::isnan(point.price) && !std::isnan(point.error)) return point;
+        const CostedError point{results.points[index].mean.cost.median, results.points[index].mean.errors.flip};
+        if (name == "thesis" && !std::isnan(point.cost) && !std::isnan(point.error)) return point;
     }
     return {};
 }
@@ -64,15 +64,15 @@ std::string tomlValue(const FieldRow& row)
 std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults& results)
 {
     const std::vector<std::size_t> front = frontOf(results, flipField(), setup.views.size());
-    if (front.empty()) throw Error("no presets: no setting has both a price and a mean FLIP");
-    const auto price = [&](std::size_t i) { return results.points[i].mean.price.median; };
+    if (front.empty()) throw Error("no presets: no setting has both a cost and a mean FLIP");
+    const auto cost = [&](std::size_t i) { return results.points[i].mean.cost.median; };
 
     const auto flip = [&](std::size_t i) { return results.points[i].mean.errors.flip; };
 
     std::size_t fast = front.front(), low = front.front();
-    if (const std::optional<PricedError> thesis = thesisPoint(setup, results)) {
+    if (const std::optional<CostedError> thesis = thesisPoint(setup, results)) {
         for (const std::size_t i : front) // errors fall along the front
-            if (price(i) <= thesis->price) low = i;
+            if (cost(i) <= thesis->cost) low = i;
         const auto first =
             std::find_if(front.begin(), front.end(), [&](std::size_t i) { return flip(i) <= thesis->error; });
         if (first != front.end()) fast = *first;
@@ -81,10 +81,10 @@ std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults&
     const std::size_t best = front.back();
     const auto below = [&](double part) {
         const double rounding = 1.0 + 1e-9;
-        const double limit = rounding * price(low) * std::pow(price(best) / price(low), part);
+        const double limit = rounding * cost(low) * std::pow(cost(best) / cost(low), part);
         std::size_t found = low;
         for (const std::size_t i : front)
-            if (price(i) >= price(low) && price(i) <= limit) found = i;
+            if (cost(i) >= cost(low) && cost(i) <= limit) found = i;
         return found;
     };
     return {{"fast", fast}, {"low", low}, {"medium", below(1.0 / 3.0)}, {"high", below(2.0 / 3.0)}, {"best", best}};
@@ -109,7 +109,7 @@ std::string optionsText(const std::vector<FieldRow>& rows, const std::vector<std
 
 std::string measuredText(const Measured& measured)
 {
-    std::string text = fmt::format("{:.1f} ms a frame, mean FLIP {:.4f}", measured.price.median, measured.errors.flip);
+    std::string text = fmt::format("{:.1f} ms a frame, mean FLIP {:.4f}", measured.cost.median, measured.errors.flip);
     if (!std::isnan(measured.errors.refractionMedian))
         text += fmt::format(", refraction hit error {:.3g} m (median)", measured.errors.refractionMedian);
     return text;

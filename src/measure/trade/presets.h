@@ -3,7 +3,7 @@
 // All five are points of the Pareto front of mean time against mean FLIP. `best` has the least error. `fast` is the
 // cheapest that is no less accurate than the thesis' settings, or the cheapest of all where they were not measured.
 // `low` is the most accurate that costs no more than the thesis' settings, or the cheapest where the thesis was not
-// measured. The way between their prices is cut into three equal factors: `medium` and `high` are the most
+// measured. The way between their costs is cut into three equal factors: `medium` and `high` are the most
 // accurate points that cost no more than the first and the second cut.
 #pragma once
 
@@ -20,7 +20,7 @@ struct PresetPick {
 };
 
 /// fast, low, medium, high, best; of a ladder's plan, which measures nothing dearer than the base, fast alone. Throws
-/// Error when no point has both a price and an error.
+/// Error when no point has both a cost and an error.
 std::vector<PresetPick> pickPresets(const TradeSetup& setup, const TradeResults& results);
 
 /// "12.3 ms a frame, mean FLIP 0.0456, …", for people.

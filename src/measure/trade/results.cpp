@@ -1,10 +1,10 @@
 #include "measure/trade/results.h"
 
 #include "measure/statistics.h"
+#include "measure/trade/greedy_sweep.h"
 #include "measure/trade/ladder.h"
 #include "measure/trade/pareto.h"
 #include "measure/trade/trade_json.h"
-#include "measure/trade/walk.h"
 
 #include <fmt/format.h>
 
@@ -19,70 +19,70 @@ namespace tarn {
 
 namespace {
 
-constexpr std::size_t walkLength = 7;
+constexpr std::size_t greedySweepLength = 7;
 
-/// Prices of one view by point id, from all its batches.
-struct ViewPrices {
-    std::map<std::string, Price> byId;
+/// Costs of one view by point id, from all its batches.
+struct ViewCosts {
+    std::map<std::string, Cost> byId;
     std::vector<double> baseMedians;
 };
 
-Price scaled(Price price, double factor)
+Cost scaled(Cost cost, double factor)
 {
-    price.median *= factor;
-    price.p95 *= factor;
-    price.cpu *= factor;
-    for (Price::Pass& pass : price.passes) pass.median *= factor;
-    return price;
+    cost.median *= factor;
+    cost.p95 *= factor;
+    cost.cpu *= factor;
+    for (Cost::Pass& pass : cost.passes) pass.median *= factor;
+    return cost;
 }
 
-void readBatch(const nlohmann::json& json, const std::string& baseId, ViewPrices& prices)
+void readBatch(const nlohmann::json& json, const std::string& baseId, ViewCosts& costs)
 {
     for (const nlohmann::json& entry : json.at("points")) {
         const auto id = entry.at("id").get<std::string>();
-        const Price price = priceFrom(entry.at("price"));
-        if (id == baseId) prices.baseMedians.push_back(price.median);
-        prices.byId.emplace(id, price);
+        const Cost cost = costFrom(entry.at("cost"));
+        if (id == baseId) costs.baseMedians.push_back(cost.median);
+        costs.byId.emplace(id, cost);
     }
 }
 
 /// As measured in the batch, to as if measured beside the base of all batches.
-Price related(const Price& price, const ViewPrices& prices)
+Cost related(const Cost& cost, const ViewCosts& costs)
 {
-    const double base = percentile(prices.baseMedians, 0.5);
-    return scaled(price, price.ratio * base / price.median);
+    const double base = percentile(costs.baseMedians, 0.5);
+    return scaled(cost, cost.ratio * base / cost.median);
 }
 
-double mean(std::span<const Measured> views, double Price::*member)
+double mean(std::span<const Measured> views, double Cost::*member)
 {
     double sum = 0.0;
-    for (const Measured& view : views) sum += view.price.*member;
+    for (const Measured& view : views) sum += view.cost.*member;
     return sum / static_cast<double>(views.size());
 }
 
 /// Passes that a view does not run cost it nothing.
-std::vector<Price::Pass> meanPasses(std::span<const Measured> views)
+std::vector<Cost::Pass> meanPasses(std::span<const Measured> views)
 {
-    std::vector<Price::Pass> passes;
+    std::vector<Cost::Pass> passes;
     for (const Measured& view : views)
-        for (const Price::Pass& pass : view.price.passes) {
+        for (const Cost::Pass& pass : view.cost.passes) {
             const auto found = std::find_if(passes.begin(), passes.end(),
-                                            [&](const Price::Pass& other) { return other.name == pass.name; });
-            Price::Pass& sum = found != passes.end() ? *found : passes.emplace_back(Price::Pass{pass.name, 0.0});
+                                            [&](const Cost::Pass& other) { return other.name == pass.name; });
+            Cost::Pass& sum = found != passes.end() ? *found : passes.emplace_back(Cost::Pass{pass.name, 0.0});
             sum.median += pass.median / static_cast<double>(views.size());
         }
     return passes;
 }
 
-/// @param timed those of the views that have prices
+/// @param timed those of the views that have costs
 Measured meanOf(std::span<const Measured> views, std::span<const Measured> timed)
 {
     std::vector<ErrorFigures> figures;
     for (const Measured& view : views) figures.push_back(view.errors);
     Measured result;
     result.errors = meanFigures(figures);
-    result.price = {mean(timed, &Price::median), mean(timed, &Price::p95), mean(timed, &Price::cpu),
-                    mean(timed, &Price::ratio), meanPasses(timed)};
+    result.cost = {mean(timed, &Cost::median), mean(timed, &Cost::p95), mean(timed, &Cost::cpu),
+                   mean(timed, &Cost::ratio), meanPasses(timed)};
     return result;
 }
 
@@ -90,7 +90,7 @@ Measured meanOf(std::span<const Measured> views, std::span<const Measured> timed
 class Collector {
 public:
     Collector(const TradeSetup& setup, const TradeStore& store)
-        : setup_(setup), store_(store), prices_(setup.views.size())
+        : setup_(setup), store_(store), costs_(setup.views.size())
     {}
 
     std::set<std::string> machines;
@@ -120,7 +120,7 @@ private:
         if (unit.kind == TradeUnit::Kind::errors) {
             byId[unit.points.front().id].byTime[unit.view][unit.time] = figuresFrom(json.at("figures"));
         } else {
-            readBatch(json, setup_.plan.base().id, prices_[unit.view]);
+            readBatch(json, setup_.plan.base().id, costs_[unit.view]);
             machines.insert(json.at("machine").get<std::string>());
         }
     }
@@ -129,8 +129,8 @@ private:
     {
         for (std::size_t view = 0; view < setup_.views.size(); ++view) {
             result.views[view].errors = meanFigures(result.byTime[view]);
-            const auto price = prices_[view].byId.find(result.point.id);
-            if (price != prices_[view].byId.end()) result.views[view].price = related(price->second, prices_[view]);
+            const auto cost = costs_[view].byId.find(result.point.id);
+            if (cost != costs_[view].byId.end()) result.views[view].cost = related(cost->second, costs_[view]);
         }
         std::vector<Measured> timed;
         for (std::size_t view = 0; view < setup_.views.size(); ++view)
@@ -141,14 +141,14 @@ private:
 
     const TradeSetup& setup_;
     const TradeStore& store_;
-    std::vector<ViewPrices> prices_;
+    std::vector<ViewCosts> costs_;
 };
 
-/// What the walk calls the error of a setting: mean FLIP and the share of wrong refraction hits, each in parts
+/// What the greedy sweep calls the error of a setting: mean FLIP and the share of wrong refraction hits, each in parts
 /// of how far the swept options move it. FLIP alone takes whatever falls on a bed of one colour for right.
-class WalkError {
+class GreedySweepError {
 public:
-    WalkError(const TradeSetup& setup, const std::vector<PointResult>& results)
+    GreedySweepError(const TradeSetup& setup, const std::vector<PointResult>& results)
     {
         for (const TradePlan::SweptPoints& swept : setup.plan.sweeps)
             for (const std::size_t point : swept.points)
@@ -181,10 +181,10 @@ private:
 
 } // namespace
 
-std::vector<TradePoint> walkPoints(const TradeSetup& setup, const std::vector<PointResult>& results)
+std::vector<TradePoint> greedySweepPoints(const TradeSetup& setup, const std::vector<PointResult>& results)
 {
-    if (!setup.plan.walk) return {};
-    const WalkError errorOf(setup, results);
+    if (!setup.plan.isGreedy) return {};
+    const GreedySweepError errorOf(setup, results);
     if (setup.plan.ladder) return ladderWalk(setup, results, errorOf);
     std::vector<SweptOption> options;
     for (const TradePlan::SweptPoints& swept : setup.plan.sweeps) {
@@ -192,25 +192,26 @@ std::vector<TradePoint> walkPoints(const TradeSetup& setup, const std::vector<Po
         SweptOption option{swept.sweep.key, {}};
         for (std::size_t i = 0; i < swept.points.size(); ++i) {
             const Measured& measured = results[swept.points[i]].mean;
-            option.values.push_back({swept.sweep.values[i], measured.price.median, errorOf(measured)});
+            option.values.push_back({swept.sweep.values[i], measured.cost.median, errorOf(measured)});
         }
         options.push_back(std::move(option));
     }
     const Measured& base = results.front().mean;
-    const std::vector<WalkStep> front = predictedFront(options, {base.price.median, errorOf(base)});
-    std::vector<TradePoint> known = setup.plan.points, walk;
-    for (const WalkStep& step : thinned(front, walkLength)) {
+    const std::vector<SweepStep> front = predictedFront(options, {base.cost.median, errorOf(base)});
+    std::vector<TradePoint> known = setup.plan.points, combined;
+    for (const SweepStep& step : thinned(front, greedySweepLength)) {
         const std::size_t before = known.size();
-        const std::string label = fmt::format("walk {}", walk.size() + 1);
-        const std::size_t at = addPoint(known, makePoint(step.changes, label, "walk", setup.describe));
-        if (at == before) walk.push_back(known[at]);
+        const std::string label = fmt::format("greedy {}", combined.size() + 1);
+        const std::size_t at = addPoint(known, makePoint(step.changes, label, "greedy", setup.describe));
+        if (at == before) combined.push_back(known[at]);
     }
-    return walk;
+    return combined;
 }
 
-std::function<double(const Measured&)> walkError(const TradeSetup& setup, const std::vector<PointResult>& results)
+std::function<double(const Measured&)> greedySweepError(const TradeSetup& setup,
+                                                        const std::vector<PointResult>& results)
 {
-    return WalkError(setup, results);
+    return GreedySweepError(setup, results);
 }
 
 TradeResults collectResults(const TradeSetup& setup, const TradeStore& store)
@@ -219,9 +220,9 @@ TradeResults collectResults(const TradeSetup& setup, const TradeStore& store)
     TradeResults results;
     results.points = collector.collect(setup.plan.points);
     if (collector.done == collector.total) {
-        const std::vector<TradePoint> walk = walkPoints(setup, results.points);
-        if (!walk.empty())
-            for (PointResult& result : collector.collect(walk)) results.points.push_back(std::move(result));
+        const std::vector<TradePoint> combined = greedySweepPoints(setup, results.points);
+        if (!combined.empty())
+            for (PointResult& result : collector.collect(combined)) results.points.push_back(std::move(result));
     }
     results.machines.assign(collector.machines.begin(), collector.machines.end());
     results.budgets.resize(setup.views.size());
@@ -240,10 +241,10 @@ TradeResults collectResults(const TradeSetup& setup, const TradeStore& store)
 
 std::vector<std::size_t> frontOf(const TradeResults& results, const FigureField& figure, std::size_t view)
 {
-    std::vector<PricedError> points;
+    std::vector<CostedError> points;
     for (const PointResult& result : results.points) {
         const Measured& measured = view < result.views.size() ? result.views[view] : result.mean;
-        points.push_back({measured.price.median, errorOf(figure, measured.errors)});
+        points.push_back({measured.cost.median, errorOf(figure, measured.errors)});
     }
     return paretoFront(points);
 }

@@ -1,4 +1,4 @@
-// What a trade found, put together from its units: figures and prices of every point, in every view and on
+// What a trade found, put together from its units: figures and costs of every point, in every view and on
 // average.
 #pragma once
 
@@ -16,9 +16,9 @@ namespace tarn {
 /// A point in one view (mean over the times) or over all of them. NaN where it was not measured.
 struct Measured {
     ErrorFigures errors;
-    /// Ratio to the base within the batch, times the base's median over all batches: prices of different
+    /// Ratio to the base within the batch, times the base's median over all batches: costs of different
     /// batches, and of different machines, are comparable.
-    Price price{ErrorFigures::none, ErrorFigures::none, ErrorFigures::none, ErrorFigures::none, {}};
+    Cost cost{ErrorFigures::none, ErrorFigures::none, ErrorFigures::none, ErrorFigures::none, {}};
 };
 
 struct PointResult {
@@ -29,29 +29,30 @@ struct PointResult {
 };
 
 struct TradeResults {
-    std::vector<PointResult> points; ///< the plan's, in its order, then the walk's
+    std::vector<PointResult> points; ///< the plan's, in its order, then the greedy sweep's
     std::vector<std::string> machines;
     std::vector<std::optional<ErrorBudget>> budgets; ///< one for each view
-    std::size_t done = 0, total = 0;                 ///< units; what is missing in total is not known before the walk
+    std::size_t done = 0, total = 0; ///< units; what is missing in total is not known before the greedy sweep
     bool complete() const { return done == total; }
 };
 
-/// Reads what the store holds; what is missing stays NaN. The walk is there once all points of the plan are
+/// Reads what the store holds; what is missing stays NaN. The greedy sweep is there once all points of the plan are
 /// measured.
 TradeResults collectResults(const TradeSetup& setup, const TradeStore& store);
 
 /// The combined points that these results ask for; empty when the plan wants none. Throws nothing.
-std::vector<TradePoint> walkPoints(const TradeSetup& setup, const std::vector<PointResult>& results);
+std::vector<TradePoint> greedySweepPoints(const TradeSetup& setup, const std::vector<PointResult>& results);
 
-/// The error that the walk goes by, from the results of the plan's sweeps.
-std::function<double(const Measured&)> walkError(const TradeSetup& setup, const std::vector<PointResult>& results);
+/// The error that the greedy sweep goes by, from the results of the plan's sweeps.
+std::function<double(const Measured&)> greedySweepError(const TradeSetup& setup,
+                                                        const std::vector<PointResult>& results);
 
 /// One row for each point and view, and one for each point's mean.
 std::string toCsv(const TradeSetup& setup, const TradeResults& results);
 /// Everything, with Pareto fronts; `command` is the command line.
 nlohmann::json toJson(const TradeSetup& setup, const TradeResults& results, const std::string& command);
 
-/// Indices of the points on the front of mean price against a figure, in view `view` (past the last: the
+/// Indices of the points on the front of mean cost against a figure, in view `view` (past the last: the
 /// mean).
 std::vector<std::size_t> frontOf(const TradeResults& results, const FigureField& figure, std::size_t view);
 

@@ -35,7 +35,7 @@ std::string csvRow(const TradePoint& point, const std::string& view, const Measu
 {
     std::string row =
         fmt::format("{},{},{},{},{},{},{}", point.id, csvText(point.label), point.origin, csvText(view),
-                    csvNumber(measured.price.median), csvNumber(measured.price.p95), csvNumber(measured.price.cpu));
+                    csvNumber(measured.cost.median), csvNumber(measured.cost.p95), csvNumber(measured.cost.cpu));
     for (const FigureField& field : errorFigureFields())
         row += fmt::format(",{}", csvNumber(measured.errors.*field.member));
     return fmt::format("{},{}\n", row, csvText(changesText(point.changes)));
@@ -43,7 +43,7 @@ std::string csvRow(const TradePoint& point, const std::string& view, const Measu
 
 json measuredJson(const Measured& measured)
 {
-    return {{"price", toJson(measured.price)}, {"errors", toJson(measured.errors)}};
+    return {{"cost", toJson(measured.cost)}, {"errors", toJson(measured.errors)}};
 }
 
 json pointJson(const TradeSetup& setup, const PointResult& result)

@@ -12,8 +12,8 @@ namespace {
 
 class Runner {
 public:
-    Runner(const TradeSetup& setup, TradeStore& store, TradeLab& lab, const RunArguments& arguments)
-        : setup_(setup), store_(store), lab_(lab), arguments_(arguments)
+    Runner(const TradeSetup& setup, TradeStore& store, TradeExperiment& experiment, const RunArguments& arguments)
+        : setup_(setup), store_(store), experiment_(experiment), arguments_(arguments)
     {}
 
     std::size_t measured = 0;
@@ -59,10 +59,10 @@ private:
     {
         switch (unit.kind) {
         case TradeUnit::Kind::errors: return measureErrors(unit);
-        case TradeUnit::Kind::prices: return measurePrices(unit);
+        case TradeUnit::Kind::costs: return measureCosts(unit);
         case TradeUnit::Kind::pictures: return makePictures(unit);
         case TradeUnit::Kind::budget:
-            const std::optional<ErrorBudget> budget = lab_.budget(unit.view);
+            const std::optional<ErrorBudget> budget = experiment_.budget(unit.view);
             return store_.writeJson(unit.name() + ".json", budget ? toJson(*budget) : nlohmann::json(nullptr));
         }
     }
@@ -71,7 +71,7 @@ private:
     {
         const TradePoint& point = unit.points.front();
         const double time = setup_.times[unit.time];
-        const ErrorFigures figures = lab_.errors(point, unit.view, time);
+        const ErrorFigures figures = experiment_.errors(point, unit.view, time);
         store_.writeJson(unit.name() + ".json", {{"id", point.id},
                                                  {"changes", point.changes},
                                                  {"view", setup_.views[unit.view]},
@@ -79,26 +79,26 @@ private:
                                                  {"figures", toJson(figures)}});
     }
 
-    void measurePrices(const TradeUnit& unit)
+    void measureCosts(const TradeUnit& unit)
     {
-        const std::vector<Price> prices = lab_.prices(unit.points, unit.view);
-        if (prices.size() != unit.points.size())
-            throw Error("{} prices for {} settings; this is a fault of the program", prices.size(), unit.points.size());
+        const std::vector<Cost> costs = experiment_.costs(unit.points, unit.view);
+        if (costs.size() != unit.points.size())
+            throw Error("{} costs for {} settings; this is a fault of the program", costs.size(), unit.points.size());
         nlohmann::json points = nlohmann::json::array();
-        for (std::size_t i = 0; i < prices.size(); ++i)
+        for (std::size_t i = 0; i < costs.size(); ++i)
             points.push_back(
-                {{"id", unit.points[i].id}, {"changes", unit.points[i].changes}, {"price", toJson(prices[i])}});
+                {{"id", unit.points[i].id}, {"changes", unit.points[i].changes}, {"cost", toJson(costs[i])}});
         store_.writeJson(
             unit.name() + ".json",
-            {{"machine", lab_.machine()}, {"view", setup_.views[unit.view]}, {"points", std::move(points)}});
+            {{"machine", experiment_.machine()}, {"view", setup_.views[unit.view]}, {"points", std::move(points)}});
     }
 
     void makePictures(const TradeUnit& unit)
     {
-        const TradePictures pictures = lab_.pictures(unit.points.front(), unit.view);
+        const TradePictures pictures = experiment_.pictures(unit.points.front(), unit.view);
         const std::string name = unit.name();
         const auto write = [&](const std::string& file, const std::string& png) {
-            if (!png.empty()) store_.write(file, png); // a lab need not make all three
+            if (!png.empty()) store_.write(file, png); // an experiment need not make all three
         };
         write(name + "-realtime.png", pictures.realTime);
         write(name + "-flip.png", pictures.flip);
@@ -109,28 +109,29 @@ private:
 
     const TradeSetup& setup_;
     TradeStore& store_;
-    TradeLab& lab_;
+    TradeExperiment& experiment_;
     const RunArguments& arguments_;
 };
 
 } // namespace
 
-RunOutcome runTrade(const TradeSetup& setup, TradeStore& store, TradeLab& lab, const RunArguments& arguments)
+RunOutcome runTrade(const TradeSetup& setup, TradeStore& store, TradeExperiment& experiment,
+                    const RunArguments& arguments)
 {
-    Runner runner(setup, store, lab, arguments);
+    Runner runner(setup, store, experiment, arguments);
     std::vector<TradeUnit> units = measuringUnits(setup, setup.plan.points);
     for (TradeUnit& unit : showingUnits(setup)) units.push_back(std::move(unit));
-    // View by view, so that a lab need not keep more than one reference.
+    // View by view, so that an experiment need not keep more than one reference.
     std::stable_sort(units.begin(), units.end(),
                      [](const TradeUnit& a, const TradeUnit& b) { return a.view < b.view; });
     runner.run(units);
 
     TradeResults results = collectResults(setup, store);
-    std::vector<TradePoint> walk;
+    std::vector<TradePoint> combined;
     for (std::size_t i = setup.plan.points.size(); i < results.points.size(); ++i)
-        walk.push_back(results.points[i].point);
-    if (!walk.empty() && !results.complete()) {
-        runner.run(measuringUnits(setup, walk));
+        combined.push_back(results.points[i].point);
+    if (!combined.empty() && !results.complete()) {
+        runner.run(measuringUnits(setup, combined));
         results = collectResults(setup, store);
     }
     return {runner.measured, std::move(results)};

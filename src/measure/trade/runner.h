@@ -21,9 +21,10 @@ struct RunOutcome {
     TradeResults results;     ///< of all runs into this store
 };
 
-/// Measures the plan's units, then, when all of them are there, those of the walk. A unit that is done is
+/// Measures the plan's units, then, when all of them are there, those of the greedy sweep. A unit that is done is
 /// stored at once. Throws Error when it was told to stop; what is stored stays, and the next run goes on from
 /// it.
-RunOutcome runTrade(const TradeSetup& setup, TradeStore& store, TradeLab& lab, const RunArguments& arguments = {});
+RunOutcome runTrade(const TradeSetup& setup, TradeStore& store, TradeExperiment& experiment,
+                    const RunArguments& arguments = {});
 
 } // namespace tarn

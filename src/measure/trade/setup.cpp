@@ -12,7 +12,7 @@ TradeKey keyOf(const TradeSetup& setup)
     TradeKey key = setup.about;
     key["views"] = fmt::format("{}", fmt::join(setup.views, ", "));
     key["times"] = fmt::format("{}{}", fmt::join(setup.times, ", "), setup.takesTurns ? ", in turns" : "");
-    std::string plan = setup.plan.walk ? "with walk" : "without walk";
+    std::string plan = setup.plan.isGreedy ? "with greedy sweep" : "without greedy sweep";
     for (const TradePoint& point : setup.plan.points) plan += fmt::format(" {} {}", point.id, point.origin);
     key["plan"] = plan;
     return key;
@@ -55,7 +55,7 @@ std::string TradeUnit::name() const
 {
     switch (kind) {
     case Kind::errors: return fmt::format("errors-{}-view{}-time{}", points.front().id, view, time);
-    case Kind::prices: return fmt::format("prices-{}-view{}", batchName(points), view);
+    case Kind::costs: return fmt::format("costs-{}-view{}", batchName(points), view);
     case Kind::pictures: return fmt::format("pictures-{}-view{}", points.front().id, view);
     case Kind::budget: break;
     }
@@ -67,7 +67,7 @@ std::string TradeUnit::text(const TradeSetup& setup) const
     const std::string& where = setup.views[view];
     switch (kind) {
     case Kind::errors: return fmt::format("errors of {}, {}", points.front().label, where);
-    case Kind::prices: return fmt::format("prices of {} settings, {}", points.size(), where);
+    case Kind::costs: return fmt::format("costs of {} settings, {}", points.size(), where);
     case Kind::pictures: return fmt::format("pictures of {}, {}", points.front().label, where);
     case Kind::budget: break;
     }
@@ -79,7 +79,7 @@ double TradeUnit::work() const
     switch (kind) {
     case Kind::errors:
     case Kind::pictures: return 1.0;
-    case Kind::prices: return 4.0 * static_cast<double>(points.size());
+    case Kind::costs: return 4.0 * static_cast<double>(points.size());
     case Kind::budget: break;
     }
     return 20.0;
@@ -95,7 +95,7 @@ std::vector<TradeUnit> measuringUnits(const TradeSetup& setup, std::span<const T
     for (std::size_t view = 0; view < setup.views.size(); ++view) {
         if (!setup.isTimed(view)) continue;
         for (std::vector<TradePoint>& batch : batchesOf(setup.plan.base(), points))
-            units.push_back({TradeUnit::Kind::prices, std::move(batch), view, 0});
+            units.push_back({TradeUnit::Kind::costs, std::move(batch), view, 0});
     }
     return units;
 }

@@ -1,7 +1,7 @@
 // What one trade is made of, and how its measurements are cut into units.
 #pragma once
 
-#include "measure/trade/lab.h"
+#include "measure/trade/experiment.h"
 #include "measure/trade/plan.h"
 #include "measure/trade/store.h"
 
@@ -29,9 +29,9 @@ TradeKey keyOf(const TradeSetup& setup);
 
 /// The smallest piece of work that is stored.
 struct TradeUnit {
-    enum class Kind { errors, prices, pictures, budget };
+    enum class Kind { errors, costs, pictures, budget };
     Kind kind = Kind::errors;
-    std::vector<TradePoint> points; ///< one; for prices the base and a batch; for a budget the base
+    std::vector<TradePoint> points; ///< one; for costs the base and a batch; for a budget the base
     std::size_t view = 0, time = 0; ///< indices
 
     /// Of its file, without the extension: the same in every run and shard of a trade.
@@ -45,7 +45,7 @@ struct TradeUnit {
 /// Points of one batch take turns with the base, which relates batches to each other.
 constexpr std::size_t pointsOfBatch = 8;
 
-/// Error and price units of these points.
+/// Error and cost units of these points.
 std::vector<TradeUnit> measuringUnits(const TradeSetup& setup, std::span<const TradePoint> points);
 /// Everything that the report needs beside them: pictures of base and presets, error budgets.
 std::vector<TradeUnit> showingUnits(const TradeSetup& setup);

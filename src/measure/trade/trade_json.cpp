@@ -25,26 +25,26 @@ ErrorFigures figuresFrom(const json& figures)
     return result;
 }
 
-json toJson(const Price& price)
+json toJson(const Cost& cost)
 {
     json passes = json::array();
-    for (const Price::Pass& pass : price.passes)
+    for (const Cost::Pass& pass : cost.passes)
         passes.push_back({{"name", pass.name}, {"median_ms", numberJson(pass.median)}});
-    return {{"median_ms", numberJson(price.median)},
-            {"p95_ms", numberJson(price.p95)},
-            {"cpu_ms", numberJson(price.cpu)},
-            {"ratio_to_base", numberJson(price.ratio)},
+    return {{"median_ms", numberJson(cost.median)},
+            {"p95_ms", numberJson(cost.p95)},
+            {"cpu_ms", numberJson(cost.cpu)},
+            {"ratio_to_base", numberJson(cost.ratio)},
             {"passes", passes}};
 }
 
-Price priceFrom(const json& price)
+Cost costFrom(const json& cost)
 {
-    Price result{numberFrom(price.at("median_ms")),
-                 numberFrom(price.at("p95_ms")),
-                 numberFrom(price.at("cpu_ms")),
-                 numberFrom(price.at("ratio_to_base")),
-                 {}};
-    for (const json& pass : price.at("passes"))
+    Cost result{numberFrom(cost.at("median_ms")),
+                numberFrom(cost.at("p95_ms")),
+                numberFrom(cost.at("cpu_ms")),
+                numberFrom(cost.at("ratio_to_base")),
+                {}};
+    for (const json& pass : cost.at("passes"))
         result.passes.push_back({pass.at("name").get<std::string>(), numberFrom(pass.at("median_ms"))});
     return result;
 }

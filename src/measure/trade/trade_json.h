@@ -1,7 +1,7 @@
 // Measurements as JSON, and back. NaN, "nothing to measure", is null.
 #pragma once
 
-#include "measure/trade/lab.h"
+#include "measure/trade/experiment.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,8 +10,8 @@ namespace tarn {
 nlohmann::json toJson(const ErrorFigures& figures);
 ErrorFigures figuresFrom(const nlohmann::json& json);
 
-nlohmann::json toJson(const Price& price);
-Price priceFrom(const nlohmann::json& json);
+nlohmann::json toJson(const Cost& cost);
+Cost costFrom(const nlohmann::json& json);
 
 nlohmann::json toJson(const ErrorBudget& budget);
 ErrorBudget budgetFrom(const nlohmann::json& json);

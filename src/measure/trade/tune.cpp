@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "measure/statistics.h"
+#include "measure/trade/greedy_sweep.h"
 #include "measure/trade/setup.h"
-#include "measure/trade/walk.h"
 
 #include <algorithm>
 #include <array>
@@ -28,8 +28,8 @@ bool reaches(const TuneGoal& goal, const Tuned& tuned)
 /// Measures points, each once.
 class Bench {
 public:
-    Bench(const TuneRequest& request, TradeLab& lab, Progress* progress)
-        : request_(request), lab_(lab), progress_(progress), base_(request.candidates.front())
+    Bench(const TuneRequest& request, TradeExperiment& experiment, Progress* progress)
+        : request_(request), experiment_(experiment), progress_(progress), base_(request.candidates.front())
     {}
 
     /// In the order of the points.
@@ -50,13 +50,14 @@ public:
         return results;
     }
 
-    /// Mean FLIP over the views: much sooner known than a price.
+    /// Mean FLIP over the views: much sooner known than a cost.
     double error(const TradePoint& point)
     {
         const auto known = errors_.find(point.id);
         if (known != errors_.end()) return known->second;
         double sum = 0.0;
-        for (std::size_t view = 0; view < request_.views; ++view) sum += lab_.errors(point, view, request_.time).flip;
+        for (std::size_t view = 0; view < request_.views; ++view)
+            sum += experiment_.errors(point, view, request_.time).flip;
         return errors_[point.id] = sum / static_cast<double>(request_.views);
     }
 
@@ -85,13 +86,13 @@ private:
         if (baseMs_.empty()) baseMs_.resize(request_.views);
         for (std::size_t view = 0; view < request_.views; ++view) {
             report(what);
-            const std::vector<Price> prices = lab_.prices(batch, view);
-            baseMs_[view].push_back(prices.front().median);
+            const std::vector<Cost> costs = experiment_.costs(batch, view);
+            baseMs_[view].push_back(costs.front().median);
             const double base = percentile(baseMs_[view], 0.5);
             for (Tuned& result : results) {
                 std::size_t at = 0;
                 while (batch[at].id != result.point.id) ++at;
-                result.ms += prices[at].ratio * base / views;
+                result.ms += costs[at].ratio * base / views;
             }
         }
         known_.insert(known_.end(), results.begin(), results.end());
@@ -103,7 +104,7 @@ private:
     }
 
     const TuneRequest& request_;
-    TradeLab& lab_;
+    TradeExperiment& experiment_;
     Progress* progress_;
     TradePoint base_;
     std::vector<Tuned> known_;
@@ -114,8 +115,8 @@ private:
 
 class Search {
 public:
-    Search(const TuneRequest& request, TradeLab& lab, Progress* progress)
-        : request_(request), bench_(request, lab, progress)
+    Search(const TuneRequest& request, TradeExperiment& experiment, Progress* progress)
+        : request_(request), bench_(request, experiment, progress)
     {}
 
     TuneOutcome run()
@@ -165,7 +166,7 @@ private:
             options.push_back(std::move(option));
         }
         std::vector<TradePoint> points;
-        for (const WalkStep& step : nearGoal(predictedFront(options, {start.ms, start.error}))) {
+        for (const SweepStep& step : nearGoal(predictedFront(options, {start.ms, start.error}))) {
             Changes changes = start.point.changes;
             for (const auto& [key, value] : step.changes) changes[key] = value;
             points.push_back(makePoint(changes, "", "tune", request_.describe));
@@ -175,21 +176,20 @@ private:
 
     /// Those on both sides of where the predictions meet the goal: closely about it, should they be right, and further
     /// and further off, should they not.
-    std::vector<WalkStep> nearGoal(const std::vector<WalkStep>& front) const
+    std::vector<SweepStep> nearGoal(const std::vector<SweepStep>& front) const
     {
-        const auto meets = std::find_if(front.begin(), front.end(), [&](const WalkStep& step) {
-            return request_.goal.maxError ? step.error <= *request_.goal.maxError
-                                          : step.price > *request_.goal.budgetMs;
+        const auto meets = std::find_if(front.begin(), front.end(), [&](const SweepStep& step) {
+            return request_.goal.maxError ? step.error <= *request_.goal.maxError : step.cost > *request_.goal.budgetMs;
         });
         const auto last = static_cast<std::ptrdiff_t>(front.size()) - 1;
-        std::vector<WalkStep> steps;
+        std::vector<SweepStep> steps;
         for (const std::ptrdiff_t offset : aboutGoal)
             if (const std::ptrdiff_t at = meets - front.begin() + offset; at >= 0 && at <= last)
                 steps.push_back(front[static_cast<std::size_t>(at)]);
         return steps;
     }
 
-    /// Whether a setting of this error can beat the best, if only its price is right.
+    /// Whether a setting of this error can beat the best, if only its cost is right.
     bool mayWin(double error) const
     {
         if (request_.goal.budgetMs) return error < best_.error || !reaches(request_.goal, best_);
@@ -227,11 +227,11 @@ bool isBetter(const TuneGoal& goal, const Tuned& a, const Tuned& b)
     return a.error < b.error || (a.error == b.error && faster);
 }
 
-TuneOutcome tune(const TuneRequest& request, TradeLab& lab, Progress* progress)
+TuneOutcome tune(const TuneRequest& request, TradeExperiment& experiment, Progress* progress)
 {
     if (request.candidates.empty() || request.goal.maxError.has_value() == request.goal.budgetMs.has_value())
         throw Error("tuning needs settings to start from and one goal; this is a fault of the program");
-    return Search(request, lab, progress).run();
+    return Search(request, experiment, progress).run();
 }
 
 } // namespace tarn

@@ -1,11 +1,11 @@
 // The cheapest settings that are accurate enough, or the most accurate that are fast enough, on this machine.
 //
 // The search measures the candidates it is given, then every option alone around the best of them. What that
-// tells predicts combinations (measure/trade/walk.h); those near the goal are measured, and the best is
+// tells predicts combinations (measure/trade/greedy_sweep.h); those near the goal are measured, and the best is
 // polished by changing one option at a time until no change helps.
 #pragma once
 
-#include "measure/trade/lab.h"
+#include "measure/trade/experiment.h"
 #include "measure/trade/sweep.h"
 
 #include <optional>
@@ -42,7 +42,7 @@ struct TuneOutcome {
     std::size_t tried = 0; ///< settings that were measured
 };
 
-TuneOutcome tune(const TuneRequest& request, TradeLab& lab, Progress* progress = nullptr);
+TuneOutcome tune(const TuneRequest& request, TradeExperiment& experiment, Progress* progress = nullptr);
 
 /// Whether `a` serves the goal better than `b`. Times within 2 % are equal: that much is chance.
 bool isBetter(const TuneGoal& goal, const Tuned& a, const Tuned& b);

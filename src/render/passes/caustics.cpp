@@ -63,24 +63,25 @@ void CausticsPass::castPhotons(const CausticsOptions& options, const Inputs& inp
     triangle_.draw();
 }
 
-std::vector<float> gatherPhotons(const std::vector<float>& photons, int edge, const vec3& absorption)
+std::vector<float> gatherPhotons(const std::vector<float>& photons, int resolution, const vec3& absorption)
 {
-    std::vector<float> sums(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge) * 4, 0.0f);
+    std::vector<float> sums(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution) * 4, 0.0f);
     for (std::size_t i = 0; i + 3 < photons.size(); i += 4) {
         if (photons[i + 2] <= 0.0f) continue;
         // Texel k's centre is k + 1/2. A photon whose place is outside has left the texture, whole.
-        const vec2 place = vec2(photons[i], photons[i + 1]) * static_cast<float>(edge);
-        if (!(place.x >= 0.0f && place.y >= 0.0f && place.x <= static_cast<float>(edge) &&
-              place.y <= static_cast<float>(edge)))
+        const vec2 position = vec2(photons[i], photons[i + 1]) * static_cast<float>(resolution);
+        if (!(position.x >= 0.0f && position.y >= 0.0f && position.x <= static_cast<float>(resolution) &&
+              position.y <= static_cast<float>(resolution)))
             continue;
         const vec3 light = photons[i + 2] * optics::beerLambert(absorption, photons[i + 3]);
-        const ivec2 corner(static_cast<int>(std::floor(place.x - 0.5f)), static_cast<int>(std::floor(place.y - 0.5f)));
+        const ivec2 corner(static_cast<int>(std::floor(position.x - 0.5f)),
+                           static_cast<int>(std::floor(position.y - 0.5f)));
         for (int y = corner.y; y <= corner.y + 1; ++y) {
             for (int x = corner.x; x <= corner.x + 1; ++x) {
-                if (x < 0 || y < 0 || x >= edge || y >= edge) continue;
+                if (x < 0 || y < 0 || x >= resolution || y >= resolution) continue;
                 const vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-                const float weight = optics::photonWeight(centre - place);
-                const auto texel = static_cast<std::size_t>(y * edge + x) * 4;
+                const float weight = optics::photonWeight(centre - position);
+                const auto texel = static_cast<std::size_t>(y * resolution + x) * 4;
                 for (int c = 0; c < 3; ++c) sums[texel + static_cast<std::size_t>(c)] += weight * light[c];
             }
         }
@@ -123,10 +124,10 @@ void CausticsPass::gatherPoints(const CausticsOptions& options, FrameStats::Pass
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false, .blend = gl::Blend::add, .shaderPointSize = true});
     gathered_.bind();
     program.use();
-    program.set("textureEdge", static_cast<float>(options.textureSize));
+    program.set("textureResolution", static_cast<float>(options.textureSize));
     if (!copies) {
         program.texture("photons", photons_.colour());
-        program.set("photonEdge", options.photons);
+        program.set("photonsPerSide", options.photons);
     }
     (copies ? photonPoints_ : bare_).draw(gl::Primitive::points, 0, count);
     ++stats.drawCalls;
@@ -140,8 +141,8 @@ void CausticsPass::gatherMesh(const CausticsOptions& options, FrameStats::Pass& 
     gathered_.bind();
     program.use();
     program.texture("photons", photons_.colour());
-    program.set("photonEdge", options.photons);
-    program.set("textureEdge", static_cast<float>(options.textureSize));
+    program.set("photonsPerSide", options.photons);
+    program.set("textureResolution", static_cast<float>(options.textureSize));
     const int triangles = 2 * (options.photons - 1) * (options.photons - 1);
     bare_.draw(gl::Primitive::triangles, 0, 3 * triangles);
     stats.triangles += static_cast<std::size_t>(triangles);

@@ -62,8 +62,8 @@ private:
     std::map<CausticsOptions::Method, std::shared_ptr<gl::Program>> gatherPrograms_;
 };
 
-/// What the method `cpu` does: adds photons (four floats each, caustics_photons.frag) to a square of `edge` texels.
-/// Returns RGBA.
-std::vector<float> gatherPhotons(const std::vector<float>& photons, int edge, const vec3& absorption);
+/// What the method `cpu` does: adds photons (four floats each, caustics_photons.frag) to a square of `resolution`
+/// texels. Returns RGBA.
+std::vector<float> gatherPhotons(const std::vector<float>& photons, int resolution, const vec3& absorption);
 
 } // namespace tarn

@@ -9,7 +9,7 @@ namespace tarn {
 bool HeightsPass::isStale(const Inputs& inputs, const HeightsOptions& options) const
 {
     return !drawn_ || !(drawn_->rect == inputs.rect) || drawn_->lowest != inputs.lowest ||
-           drawn_->highest != inputs.highest || field_.edge != powerOfTwo(options.mapSize) ||
+           drawn_->highest != inputs.highest || field_.resolution != powerOfTwo(options.mapSize) ||
            !sameLight(drawn_->light, inputs.light);
 }
 
@@ -22,11 +22,11 @@ View HeightsPass::view(const Inputs& inputs, Part part)
     return view;
 }
 
-void HeightsPass::drawBed(const View& view, ScenePainter& painter, const Inputs& inputs, const HeightsOptions& options,
-                          FrameStats::Pass& stats)
+void HeightsPass::drawBed(const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs,
+                          const HeightsOptions& options, FrameStats::Pass& stats)
 {
-    const int edge = powerOfTwo(options.mapSize);
-    map_.ensure({.size = ivec2(edge),
+    const int resolution = powerOfTwo(options.mapSize);
+    map_.ensure({.size = ivec2(resolution),
                  .colours = {gl::Format::rgba16f, gl::Format::rgba16f},
                  .depth = gl::Format::depth32f,
                  .mipmaps = true});
@@ -35,24 +35,24 @@ void HeightsPass::drawBed(const View& view, ScenePainter& painter, const Inputs&
     map_.drawFramebuffer().clearColour(vec4(inputs.light.deepRadiance, 1.0f));
     map_.drawFramebuffer().clearColour(vec4(0.0f), 1);
     map_.drawFramebuffer().clearDepth();
-    PaintStyle style;
-    style.forMap = true;
-    style.sky = false;
-    painter.draw(view, style, WaterCover{}, inputs.cull, stats);
+    SceneVariant variant;
+    variant.forMap = true;
+    variant.sky = false;
+    sceneRenderer.draw(view, variant, WaterCover{}, inputs.cull, stats);
     for (const int colour : {0, 1}) map_.colour(colour).generateMipmaps();
 }
 
-void HeightsPass::countSolid(const View& view, ScenePainter& painter, const HeightsOptions& options,
+void HeightsPass::countSolid(const View& view, SceneRenderer& sceneRenderer, const HeightsOptions& options,
                              FrameStats::Pass& stats)
 {
     solid_.ensure(
         {.size = ivec2(powerOfTwo(options.mapSize)), .colours = {gl::Format::r16f}, .filter = gl::Filter::nearest});
     solid_.bind();
     solid_.drawFramebuffer().clearColour(vec4(0.0f));
-    PaintStyle count;
+    SceneVariant count;
     count.countsFaces = true;
     count.sky = false;
-    painter.draw(view, count, WaterCover{}, false, stats);
+    sceneRenderer.draw(view, count, WaterCover{}, false, stats);
 }
 
 void HeightsPass::readHeights(const Inputs& inputs)
@@ -68,7 +68,7 @@ void HeightsPass::readHeights(const Inputs& inputs)
 void HeightsPass::uploadHeights()
 {
     heights_ = gl::Texture(
-        {.format = gl::Format::r32f, .size = ivec2(field_.edge), .mipmaps = true, .filter = gl::Filter::nearest},
+        {.format = gl::Format::r32f, .size = ivec2(field_.resolution), .mipmaps = true, .filter = gl::Filter::nearest},
         "heights");
     heights_.upload(field_.heights);
     const std::vector<std::vector<float>> levels = largestHeights(field_);
@@ -77,7 +77,7 @@ void HeightsPass::uploadHeights()
 
 void HeightsPass::take(const HeightMapPicture& picture)
 {
-    field_ = {{picture.centre, 0.5f * picture.extent}, picture.edge, picture.heights, picture.lowest};
+    field_ = {{picture.centre, 0.5f * picture.extent}, picture.resolution, picture.heights, picture.lowest};
     uploadHeights();
     given_ = Given{mapColour(picture, 0, "heights radiance"), mapColour(picture, 1, "heights response")};
 }
@@ -86,7 +86,7 @@ HeightMapPicture HeightsPass::picture() const
 {
     HeightMapPicture picture;
     picture.kind = MapKind::bed;
-    picture.edge = field_.edge;
+    picture.resolution = field_.resolution;
     picture.centre = field_.rect.centre;
     picture.extent = 2.0f * field_.rect.halfExtent;
     picture.lowest = field_.lowest;

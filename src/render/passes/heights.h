@@ -10,7 +10,7 @@
 #include "optics/blocks.h"
 #include "plan/options.h"
 #include "render/height_field.h"
-#include "render/scene_painter.h"
+#include "render/scene_renderer.h"
 
 #include <optional>
 
@@ -34,9 +34,10 @@ public:
     enum class Part { bed, over };
     /// A part seen from above. Its ViewBlock must be bound while it is drawn.
     static View view(const Inputs& inputs, Part part);
-    void drawBed(const View& view, ScenePainter& painter, const Inputs& inputs, const HeightsOptions& options,
+    void drawBed(const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs, const HeightsOptions& options,
                  FrameStats::Pass& stats);
-    void countSolid(const View& view, ScenePainter& painter, const HeightsOptions& options, FrameStats::Pass& stats);
+    void countSolid(const View& view, SceneRenderer& sceneRenderer, const HeightsOptions& options,
+                    FrameStats::Pass& stats);
     /// After both.
     void readHeights(const Inputs& inputs);
 

@@ -1,6 +1,6 @@
 // What the scene hides, asked in a frame's own depth: what was hidden in the last frame is held against this one's as a
 // box, and drawn only if some sample of that would be seen. So no answer is one of another frame, and a picture is
-// never wrong; the last frame only tells for what asking is worth its price. (In the manner of Bittner et al. 2004,
+// never wrong; the last frame only tells for what asking is worth its cost. (In the manner of Bittner et al. 2004,
 // "Coherent hierarchical culling", without its hierarchy.)
 #pragma once
 

@@ -3,7 +3,7 @@
 
 #include "gl/target.h"
 #include "plan/options.h"
-#include "render/scene_painter.h"
+#include "render/scene_renderer.h"
 
 namespace tarn {
 
@@ -13,10 +13,10 @@ public:
         const View& view;
         bool underwater = false; ///< the eye is below the surface, which mirrors the bed
         bool cull = true;
-        PaintStyle style; ///< how the sun lights what is seen; the pass adds its own
+        SceneVariant variant; ///< how the sun lights what is seen; the pass adds its own
     };
 
-    const gl::Target& draw(ScenePainter& painter, const ReflectionOptions& options, const Inputs& inputs,
+    const gl::Target& draw(SceneRenderer& sceneRenderer, const ReflectionOptions& options, const Inputs& inputs,
                            FrameStats::Pass& stats);
     const gl::Target& target() const { return target_; }
 

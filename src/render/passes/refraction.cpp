@@ -5,8 +5,8 @@
 
 namespace tarn {
 
-const gl::Target& RefractionPass::draw(ScenePainter& painter, const RefractionOptions& options, const Inputs& inputs,
-                                       FrameStats::Pass& stats)
+const gl::Target& RefractionPass::draw(SceneRenderer& sceneRenderer, const RefractionOptions& options,
+                                       const Inputs& inputs, FrameStats::Pass& stats)
 {
     // Depth-buffer values are linear in screen space on any plane, so that filtering them is exact on flat ground and
     // good to second order on a smooth bed.
@@ -22,11 +22,11 @@ const gl::Target& RefractionPass::draw(ScenePainter& painter, const RefractionOp
     target_.drawFramebuffer().clearColour(vec4(inputs.deepRadiance, 1.0f));
     if (isFlat) target_.drawFramebuffer().clearColour(vec4(0.0f), 1);
     target_.drawFramebuffer().clearDepth();
-    PaintStyle style = inputs.style;
-    style.throughFlatWater = isFlat;
-    style.depthFirst = false;      // one bed hides little of itself: on the lake its depth costs more than it saves
-    style.sky = inputs.underwater; // in the water the far distance is water
-    painter.draw(inputs.view, style, WaterCover{}, inputs.cull, stats);
+    SceneVariant variant = inputs.variant;
+    variant.throughFlatWater = isFlat;
+    variant.depthFirst = false;      // one bed hides little of itself: on the lake its depth costs more than it saves
+    variant.sky = inputs.underwater; // in the water the far distance is water
+    sceneRenderer.draw(inputs.view, variant, WaterCover{}, inputs.cull, stats);
     return target_;
 }
 

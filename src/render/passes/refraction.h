@@ -4,7 +4,7 @@
 
 #include "gl/target.h"
 #include "plan/options.h"
-#include "render/scene_painter.h"
+#include "render/scene_renderer.h"
 
 namespace tarn {
 
@@ -15,10 +15,10 @@ public:
         bool underwater = false; ///< the eye is below the surface: the far side is the air
         vec3 deepRadiance{0.0f}; ///< where there is nothing under water
         bool cull = true;
-        PaintStyle style; ///< how the sun lights what is seen; the pass adds its own
+        SceneVariant variant; ///< how the sun lights what is seen; the pass adds its own
     };
 
-    const gl::Target& draw(ScenePainter& painter, const RefractionOptions& options, const Inputs& inputs,
+    const gl::Target& draw(SceneRenderer& sceneRenderer, const RefractionOptions& options, const Inputs& inputs,
                            FrameStats::Pass& stats);
     const gl::Target& target() const { return target_; }
 

@@ -4,14 +4,14 @@
 
 namespace tarn {
 
-void ScenePass::draw(ScenePainter& painter, const gl::Target& frame, const Inputs& inputs,
+void ScenePass::draw(SceneRenderer& sceneRenderer, const gl::Target& frame, const Inputs& inputs,
                      FrameStats::Pass& stats) const
 {
     gl::apply({});
     frame.bind();
     frame.drawFramebuffer().clearColour(vec4(0.0f));
     frame.drawFramebuffer().clearDepth();
-    painter.draw(inputs.view, inputs.style, inputs.cover, inputs.cull, stats);
+    sceneRenderer.draw(inputs.view, inputs.variant, inputs.cover, inputs.cull, stats);
 }
 
 } // namespace tarn

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/target.h"
-#include "render/scene_painter.h"
+#include "render/scene_renderer.h"
 
 namespace tarn {
 
@@ -10,13 +10,14 @@ class ScenePass {
 public:
     struct Inputs {
         const View& view;
-        PaintStyle style;
+        SceneVariant variant;
         WaterCover cover; ///< what the water, drawn later, will hide
         bool cull = true;
     };
 
     /// Clears the target and draws into it.
-    void draw(ScenePainter& painter, const gl::Target& frame, const Inputs& inputs, FrameStats::Pass& stats) const;
+    void draw(SceneRenderer& sceneRenderer, const gl::Target& frame, const Inputs& inputs,
+              FrameStats::Pass& stats) const;
 };
 
 } // namespace tarn

@@ -25,7 +25,7 @@ void SunlightPass::ensureLayers(const SunlightOptions& options, std::size_t casc
         layers_.emplace_back("sunlight", std::initializer_list<gl::Attachment>{{depth_, 0, layer}});
 }
 
-void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, ScenePainter& painter,
+void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, SceneRenderer& sceneRenderer,
                         const Inputs& inputs, const SunlightOptions& options, bool cull, FrameStats::Pass& stats)
 {
     ensureLayers(options, inputs.volume.cascades.size());
@@ -33,12 +33,12 @@ void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, S
     gl::apply({});
     target.bind();
     target.clearDepth();
-    PaintStyle style;
-    style.depthOnly = true;
-    style.bothSides = true;
-    style.sky = false;
-    style.dithersCutOuts = inputs.dithersCutOuts;
-    painter.draw(view, style, WaterCover{}, cull, stats);
+    SceneVariant variant;
+    variant.depthOnly = true;
+    variant.bothSides = true;
+    variant.sky = false;
+    variant.dithersCutOuts = inputs.dithersCutOuts;
+    sceneRenderer.draw(view, variant, WaterCover{}, cull, stats);
 }
 
 void SunlightPass::keep(const Inputs& inputs, const SunlightOptions& options)

@@ -4,7 +4,7 @@
 
 #include "gl/framebuffer.h"
 #include "plan/options.h"
-#include "render/scene_painter.h"
+#include "render/scene_renderer.h"
 #include "render/sun_views.h"
 
 #include <optional>
@@ -30,7 +30,7 @@ public:
 
     /// Draws one map. The view's ViewBlock must be bound.
     /// @param cascade of the layer; what is submerged has one
-    void draw(SunLayer layer, std::size_t cascade, const View& view, ScenePainter& painter, const Inputs& inputs,
+    void draw(SunLayer layer, std::size_t cascade, const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs,
               const SunlightOptions& options, bool cull, FrameStats::Pass& stats);
     /// After all of them.
     void keep(const Inputs& inputs, const SunlightOptions& options);

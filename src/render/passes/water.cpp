@@ -55,14 +55,14 @@ void setBed(gl::Program& p, const WaterPass::Bed& bed)
     p.texture("sunDepth", *bed.sun.depth);
 }
 
-void setAfloat(gl::Program& p, const AfloatHeightsPass& afloat)
+void setAboveWater(gl::Program& p, const AboveWaterHeightsPass& aboveWater)
 {
-    using From = AfloatHeightsPass::From;
-    p.texture("afloatHeights", afloat.heights());
-    p.texture("afloatAbove", afloat.radiance(From::above));
-    p.texture("afloatBelow", afloat.radiance(From::below));
-    p.set("afloatRect", vec4(afloat.rect().centre, afloat.rect().halfExtent));
-    p.set("afloatHighest", afloat.highest());
+    using From = AboveWaterHeightsPass::From;
+    p.texture("aboveWaterHeights", aboveWater.heights());
+    p.texture("aboveWaterTops", aboveWater.radiance(From::above));
+    p.texture("aboveWaterUndersides", aboveWater.radiance(From::below));
+    p.set("aboveWaterRect", vec4(aboveWater.rect().centre, aboveWater.rect().halfExtent));
+    p.set("aboveWaterHighest", aboveWater.highest());
 }
 
 bool showsPhong(const Options& options, const WaterPass::Inputs& inputs)
@@ -95,8 +95,8 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
     if (options.refraction.method != RefractionOptions::Method::planar) defines.emplace_back("ITERATIVE", "1");
     if (inputs.bed) addBedDefines(defines, options.heights, *inputs.bed);
     if (inputs.bed && inputs.refraction) defines.emplace_back("BED_TARGET", "1");
-    if (inputs.afloat) defines.emplace_back("RAYCAST_REFLECTION", "1");
-    if ((inputs.bed || inputs.afloat) && options.heights.march == HeightsOptions::March::pyramid)
+    if (inputs.aboveWater) defines.emplace_back("RAYCAST_REFLECTION", "1");
+    if ((inputs.bed || inputs.aboveWater) && options.heights.march == HeightsOptions::March::pyramid)
         defines.emplace_back("PYRAMID", "1");
     if (options.water.filterWaves) defines.emplace_back("FILTER_WAVES", "1");
     if (options.water.normals == WaterOptions::Normals::vertex) defines.emplace_back("VERTEX_NORMALS", "1");
@@ -140,8 +140,8 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
     p.texture("skyMap", inputs.skyMap);
     p.set("footprint", inputs.footprint);
     if (inputs.bed) setBed(p, *inputs.bed);
-    if (inputs.afloat) setAfloat(p, *inputs.afloat);
-    if ((inputs.bed || inputs.afloat) && options.heights.march == HeightsOptions::March::classic)
+    if (inputs.aboveWater) setAboveWater(p, *inputs.aboveWater);
+    if ((inputs.bed || inputs.aboveWater) && options.heights.march == HeightsOptions::March::classic)
         p.set("marchUnit", options.heights.unit);
     if (inputs.waterline) p.texture("waterline", *inputs.waterline);
     if (options.water.fresnel == WaterOptions::Fresnel::schlick || inputs.underwater)
@@ -183,8 +183,8 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         }
         if (inputs.view == DebugView::reflectionHit) p.set("worldFromReflectionView", glm::inverse(view.viewFromWorld));
     }
-    if (inputs.sight)
-        grid.draw(options.water.gridSize, *inputs.sight, stats, use);
+    if (inputs.culling)
+        grid.draw(options.water.gridSize, *inputs.culling, stats, use);
     else
         grid.draw(options.water.gridSize, stats);
 }

@@ -8,7 +8,7 @@
 #include "render/fresnel_texture.h"
 #include "render/normal_map.h"
 #include "render/passes/heights.h"
-#include "render/passes/heights_afloat.h"
+#include "render/passes/heights_above_water.h"
 #include "render/view.h"
 #include "render/water_grid.h"
 
@@ -26,13 +26,13 @@ public:
     struct Bed {
         const HeightsPass& map;
         const SunMaps& sun;
-        const PaintStyle& lit;
+        const SceneVariant& lit;
     };
 
     struct Inputs {
-        std::optional<Bed> bed;                    ///< refraction.method = raycast, seen from above
-        const AfloatHeightsPass* afloat = nullptr; ///< reflection.method = raycast, seen from above
-        const gl::Target* refraction = nullptr;    ///< null: the water's own colour
+        std::optional<Bed> bed;                            ///< refraction.method = raycast, seen from above
+        const AboveWaterHeightsPass* aboveWater = nullptr; ///< reflection.method = raycast, seen from above
+        const gl::Target* refraction = nullptr;            ///< null: the water's own colour
         const View* refractionView = nullptr;
         const gl::Target* reflection = nullptr; ///< null: the sky
         const View* reflectionView = nullptr;
@@ -41,9 +41,9 @@ public:
         int waveCount = 0;
         float footprint = 1.0f; ///< of a pixel's edge that one of its samples stands for
         NormalMapInputs normalMap{};
-        bool underwater = false;                 ///< the surface is seen from below
-        std::optional<WaterGrid::Sight> sight{}; ///< what of the grid is seen; empty: all of it is drawn
-        const gl::Texture* waterline = nullptr;  ///< in a frame that shows both sides: which pixels are whose
+        bool underwater = false;                     ///< the surface is seen from below
+        std::optional<WaterGrid::Culling> culling{}; ///< what of the grid is seen; empty: all of it is drawn
+        const gl::Texture* waterline = nullptr;      ///< in a frame that shows both sides: which pixels are whose
         DebugView view = DebugView::final;
     };
 

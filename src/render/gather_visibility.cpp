@@ -1,4 +1,4 @@
-#include "render/look_around.h"
+#include "render/gather_visibility.h"
 
 #include "plan/frame_plan.h"
 #include "render/view.h"
@@ -43,8 +43,9 @@ vec3 largestReflectance(const Material& material)
 
 } // namespace
 
-Sight lookAround(const std::vector<SceneBox>& boxes, const Scene& scene, const WaterBody& water, const Camera& camera,
-                 ivec2 size, const Options& options, const blocks::FrameBlock& light)
+VisibilityFacts gatherVisibility(const std::vector<SceneBox>& boxes, const Scene& scene, const WaterBody& water,
+                                 const Camera& camera, ivec2 size, const Options& options,
+                                 const blocks::FrameBlock& light)
 {
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     const View main = mainView(camera, aspect);
@@ -53,30 +54,31 @@ Sight lookAround(const std::vector<SceneBox>& boxes, const Scene& scene, const W
     if (options.plan.allows(RuleId::targetBounds))
         mirrored.lookedUp = mirrorBounds(water, camera, options, scaledSize(size, options.frame));
     const WaterCover cover = waterCover(water), none;
-    Sight sight;
-    sight.mirrors = sight.seesBed = sight.mainReceives = sight.refractionReceives = sight.reflectionReceives = false;
-    sight.leastDepth = std::numeric_limits<float>::max();
+    VisibilityFacts visibility;
+    visibility.mirrors = visibility.seesBed = visibility.mainReceives = visibility.refractionReceives =
+        visibility.reflectionReceives = false;
+    visibility.leastDepth = std::numeric_limits<float>::max();
     for (const SceneBox& box : boxes) {
         const bool inRefraction = mayShow(refraction, none, box.boundsW),
                    inMirror = mayShow(mirrored, none, box.boundsW);
-        sight.mirrors |= inMirror;
+        visibility.mirrors |= inMirror;
         if (inRefraction) {
             const Material& material = scene.materials[static_cast<std::size_t>(box.material)];
-            sight.seesBed = true;
-            sight.leastDepth = std::min(sight.leastDepth, water.level - box.boundsW.upper.y);
-            sight.bedReflectance = glm::max(sight.bedReflectance, largestReflectance(material));
-            sight.bedEmission = glm::max(sight.bedEmission, material.emissive);
+            visibility.seesBed = true;
+            visibility.leastDepth = std::min(visibility.leastDepth, water.level - box.boundsW.upper.y);
+            visibility.bedReflectance = glm::max(visibility.bedReflectance, largestReflectance(material));
+            visibility.bedEmission = glm::max(visibility.bedEmission, material.emissive);
         }
         const Bounds wet = submergedPart(box.boundsW, water);
         if (wet.empty()) continue;
-        sight.mainReceives |= mayShow(main, cover, wet);
-        sight.refractionReceives |= inRefraction;
-        sight.reflectionReceives |= inMirror && mayShow(mirrored, none, wet);
+        visibility.mainReceives |= mayShow(main, cover, wet);
+        visibility.refractionReceives |= inRefraction;
+        visibility.reflectionReceives |= inMirror && mayShow(mirrored, none, wet);
     }
-    sight.sunBelow = light.sunBelow;
-    sight.skyBelow = light.skyBelow;
-    sight.deepRadiance = light.deepRadiance;
-    return sight;
+    visibility.sunBelow = light.sunBelow;
+    visibility.skyBelow = light.skyBelow;
+    visibility.deepRadiance = light.deepRadiance;
+    return visibility;
 }
 
 } // namespace tarn

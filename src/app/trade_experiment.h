@@ -1,9 +1,9 @@
-// What `tarn trade` and `tarn tune` share: the base that settings change, the views, and the lab that
+// What `tarn trade` and `tarn tune` share: the base that settings change, the views, and the experiment that
 // measures them.
 #pragma once
 
-#include "app/stage.h"
-#include "measure/trade/lab.h"
+#include "app/scene_setup.h"
+#include "measure/trade/experiment.h"
 #include "measure/trade/plan.h"
 
 #include <filesystem>
@@ -27,7 +27,7 @@ std::vector<Preset> loadPresets();
 std::vector<Camera> chooseViews(const Scene& scene, const std::vector<std::string>& names, std::size_t most,
                                 const char* flag);
 
-struct LabArguments {
+struct ExperimentArguments {
     std::vector<Camera> views;
     ivec2 size{320, 240};             ///< pixels
     std::vector<double> times;        ///< of each view's pictures and of its first frame that is timed, s
@@ -36,7 +36,8 @@ struct LabArguments {
     std::filesystem::path references; ///< folder that keeps the reference's pictures; empty: none does
 };
 
-/// Keeps a reference to the stage, whose settings are the base.
-std::unique_ptr<TradeLab> makeTradeLab(const Stage& stage, const LabArguments& arguments, Progress* progress);
+/// Keeps a reference to the set-up, whose settings are the base.
+std::unique_ptr<TradeExperiment> makeTradeExperiment(const SceneSetup& sceneSetup, const ExperimentArguments& arguments,
+                                                     Progress* progress);
 
 } // namespace tarn

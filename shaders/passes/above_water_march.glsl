@@ -6,39 +6,39 @@
 // PYRAMID: through the pyramid; else as Lipp does, who knows what is seen from below alone and takes it for solid down to
 // the water.
 
-uniform sampler2D afloatHeights; // r: underside, g: top, b: what is seen from below, m; level n: least and largest of those
-uniform vec4 afloatRect;         // what it covers: centre x, z and half extent x, z, m
-uniform float afloatHighest;     // over all of it, m
+uniform sampler2D aboveWaterHeights; // r: underside, g: top, b: what is seen from below, m; level n: least and largest of those
+uniform vec4 aboveWaterRect;         // what it covers: centre x, z and half extent x, z, m
+uniform float aboveWaterHighest;     // over all of it, m
 
-const float afloatNothing = 1.0e4; // an underside over all: nothing stands there. Its negative: there is none
+const float aboveWaterEmpty = 1.0e4; // an underside over all: nothing stands there. Its negative: there is none
 
-struct AfloatHit {
+struct AboveWaterHit {
     vec3 point;    // world
     float isFound; // 1 or 0
     float isUnder; // 1 where it is the underside that is met
 };
 
-vec2 afloatTexel(vec2 xz) { return mapTexel(xz, afloatRect, textureSize(afloatHeights, 0)); }
+vec2 aboveWaterTexel(vec2 xz) { return mapTexel(xz, aboveWaterRect, textureSize(aboveWaterHeights, 0)); }
 
 #ifdef PYRAMID
 // Of four corners: their undersides, all solid where one of them is, and where nothing stands as low as the others are.
 vec4 cellUndersides(vec4 under)
 {
     float least = min(min(under.x, under.y), min(under.z, under.w));
-    if (least < -0.5 * afloatNothing) return vec4(-afloatNothing);
-    return mix(under, vec4(least), step(0.5 * afloatNothing, under));
+    if (least < -0.5 * aboveWaterEmpty) return vec4(-aboveWaterEmpty);
+    return mix(under, vec4(least), step(0.5 * aboveWaterEmpty, under));
 }
 
 // Metres from the entry into a cell to where the ray is within what stands there, or -1.
 float cellCrossing(ivec2 cell, vec3 from, vec3 along, float within, out float isUnder)
 {
-    ivec2 last = textureSize(afloatHeights, 0) - 1;
+    ivec2 last = textureSize(aboveWaterHeights, 0) - 1;
     ivec2 low = clamp(cell, ivec2(0), last), high = clamp(cell + 1, ivec2(0), last);
-    vec2 a = texelFetch(afloatHeights, low, 0).rg, b = texelFetch(afloatHeights, ivec2(high.x, low.y), 0).rg;
-    vec2 c = texelFetch(afloatHeights, ivec2(low.x, high.y), 0).rg, d = texelFetch(afloatHeights, high, 0).rg;
+    vec2 a = texelFetch(aboveWaterHeights, low, 0).rg, b = texelFetch(aboveWaterHeights, ivec2(high.x, low.y), 0).rg;
+    vec2 c = texelFetch(aboveWaterHeights, ivec2(low.x, high.y), 0).rg, d = texelFetch(aboveWaterHeights, high, 0).rg;
     vec4 tops = vec4(a.y, b.y, c.y, d.y), under = cellUndersides(vec4(a.x, b.x, c.x, d.x));
     isUnder = 0.0;
-    if (under.x > 0.5 * afloatNothing) return -1.0;
+    if (under.x > 0.5 * aboveWaterEmpty) return -1.0;
     float overUnder = from.z - patchHeight(under, from.xy);
     float t = patchCrossing(tops, from, along, within); // 0 where it is under the top already
     if (t >= 0.0) {
@@ -54,11 +54,11 @@ float cellCrossing(ivec2 cell, vec3 from, vec3 along, float within, out float is
     return met.z <= patchHeight(tops, met.xy) ? t : -1.0;
 }
 
-AfloatHit findAfloat(vec3 from, vec3 direction)
+AboveWaterHit findAboveWater(vec3 from, vec3 direction)
 {
     const int firstLevel = 4; // what is mirrored stands farther off than the bed
-    PyramidRay ray = pyramidRay(from, direction, afloatRect, textureSize(afloatHeights, 0));
-    float end = (afloatHighest - from.y) / max(direction.y, 1.0e-6);
+    PyramidRay ray = pyramidRay(from, direction, aboveWaterRect, textureSize(aboveWaterHeights, 0));
+    float end = (aboveWaterHighest - from.y) / max(direction.y, 1.0e-6);
     float t = 0.0;
     int level = firstLevel;
     for (int i = 0; i < mostLooks && t < end; ++i) {
@@ -68,12 +68,12 @@ AfloatHit findAfloat(vec3 from, vec3 direction)
             float isUnder;
             vec3 inCell = vec3(block.here.xy - block.corner, block.here.z);
             float met = cellCrossing(ivec2(block.corner), inCell, ray.along, block.within, isUnder);
-            if (met >= 0.0) return AfloatHit(from + (t + met) * direction, 1.0, isUnder);
+            if (met >= 0.0) return AboveWaterHit(from + (t + met) * direction, 1.0, isUnder);
             t += block.within + ray.past;
             level = 1;
             continue;
         }
-        vec2 range = texelFetch(afloatHeights, max(ivec2(block.corner), ivec2(0)), level).rg;
+        vec2 range = texelFetch(aboveWaterHeights, max(ivec2(block.corner), ivec2(0)), level).rg;
         if (block.here.z > range.y || block.here.z + block.within * ray.along.z < range.x) {
             t += block.within + ray.past;
             level = min(level + 1, ray.top);
@@ -81,31 +81,31 @@ AfloatHit findAfloat(vec3 from, vec3 direction)
             --level;
         }
     }
-    return AfloatHit(from + t * direction, 0.0, 0.0);
+    return AboveWaterHit(from + t * direction, 0.0, 0.0);
 }
 #else
-float marchedAfloat(vec2 xz)
+float marchedAboveWater(vec2 xz)
 {
-    ivec2 last = textureSize(afloatHeights, 0) - 1;
-    return texelFetch(afloatHeights, clamp(ivec2(floor(afloatTexel(xz) + 0.5)), ivec2(0), last), 0).b;
+    ivec2 last = textureSize(aboveWaterHeights, 0) - 1;
+    return texelFetch(aboveWaterHeights, clamp(ivec2(floor(aboveWaterTexel(xz) + 0.5)), ivec2(0), last), 0).b;
 }
 
-AfloatHit findAfloat(vec3 from, vec3 direction)
+AboveWaterHit findAboveWater(vec3 from, vec3 direction)
 {
     const int mostSteps = 60; // Lipp
     vec3 stride = direction * (marchUnit / reflectionStepsPerUnit(direction.y));
     vec3 before = from, here = from;
-    float groundBefore = marchedAfloat(from.xz), ground = groundBefore;
+    float groundBefore = marchedAboveWater(from.xz), ground = groundBefore;
     float isFound = 0.0;
     for (int i = 0; i < mostSteps && isFound < 0.5; ++i) {
         before = here;
         here += stride;
-        if (any(greaterThan(abs(here.xz - afloatRect.xy), afloatRect.zw)) || here.y > afloatHighest) break;
+        if (any(greaterThan(abs(here.xz - aboveWaterRect.xy), aboveWaterRect.zw)) || here.y > aboveWaterHighest) break;
         groundBefore = ground;
-        ground = marchedAfloat(here.xz);
+        ground = marchedAboveWater(here.xz);
         isFound = step(here.y, ground);
     }
-    float share = crossingShare(before.y, groundBefore, here.y, ground);
-    return AfloatHit(mix(before, here, clamp(share, 0.0, 1.0)), isFound, 1.0);
+    float fraction = crossingFraction(before.y, groundBefore, here.y, ground);
+    return AboveWaterHit(mix(before, here, clamp(fraction, 0.0, 1.0)), isFound, 1.0);
 }
 #endif

@@ -1,4 +1,4 @@
-#include "render/drawing.h"
+#include "render/frame_context.h"
 
 #include "render/bindings.h"
 #include "render/pixel_check.h"
@@ -7,17 +7,17 @@
 
 namespace tarn {
 
-Drawing::Drawing(gl::Profiler& p, ScenePainter& s)
-    : profiler(p), painter(s), viewBlock(static_cast<int>(BlockIndex::view), "view block")
+FrameContext::FrameContext(gl::Profiler& p, SceneRenderer& s)
+    : profiler(p), sceneRenderer(s), viewBlock(static_cast<int>(BlockIndex::view), "view block")
 {}
 
-FrameStats::Pass& Drawing::beginPass(PassId pass, const View& view, ivec2 size)
+FrameStats::Pass& FrameContext::beginPass(PassId pass, const View& view, ivec2 size)
 {
     viewBlock.update(tarn::viewBlock(view, size));
     return stats.of(passName(pass));
 }
 
-void Drawing::check(PassId pass, const gl::Target& target)
+void FrameContext::check(PassId pass, const gl::Target& target)
 {
     if (!checking) return;
     if (BadPixels found = checkTarget(passName(pass), target); found.any()) bad.push_back(std::move(found));

@@ -11,8 +11,8 @@
 namespace tarn::test {
 
 /// A renderer and what it needs, for tests that ask it themselves. The scene must outlive it.
-struct Stage {
-    explicit Stage(const Scene& scene, const Options& options)
+struct TestRenderer {
+    explicit TestRenderer(const Scene& scene, const Options& options)
         : shaders(makeShaderLibrary()), renderer(scene, options, *shaders, profiler)
     {}
     std::unique_ptr<gl::ShaderLibrary> shaders;
@@ -20,10 +20,10 @@ struct Stage {
     Renderer renderer;
 };
 
-class Studio {
+class CheckedRenderer {
 public:
     /// The scene must outlive it.
-    explicit Studio(const Scene& scene, const Options& options = {})
+    explicit CheckedRenderer(const Scene& scene, const Options& options = {})
         : shaders_(makeShaderLibrary()), renderer_(scene, options, *shaders_, profiler_)
     {
         renderer_.setChecking(true);

@@ -1,12 +1,12 @@
 // What a frame's cameras may see of the scene, and by what light: facts that a plan goes by. Every answer errs towards
-// seeing. render/look_around.h finds them.
+// seeing. render/gather_visibility.h finds them.
 #pragma once
 
 #include "base/math.h"
 
 namespace tarn {
 
-struct Sight {
+struct VisibilityFacts {
     bool mirrors = true;       ///< the mirrored camera may see something beside the sky
     bool seesBed = true;       ///< the refraction's camera may see something
     float leastDepth = 0.0f;   ///< m under the level of all that it may see; negative: over it

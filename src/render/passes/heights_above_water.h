@@ -7,19 +7,19 @@
 #include "optics/blocks.h"
 #include "plan/options.h"
 #include "render/height_field.h"
-#include "render/scene_painter.h"
+#include "render/scene_renderer.h"
 
 #include <optional>
 
 namespace tarn {
 
-class AfloatHeightsPass {
+class AboveWaterHeightsPass {
 public:
     struct Inputs {
         LevelRect rect;
         float lowest = 0.0f, highest = 0.0f; ///< world y; the lowest lies under the lowest trough
         blocks::FrameBlock light{};          ///< as in HeightsPass
-        PaintStyle lit;                      ///< how the sun lights it: its maps are static, too
+        SceneVariant lit;                    ///< how the sun lights it: its maps are static, too
         bool cull = true;
     };
 
@@ -28,8 +28,8 @@ public:
     enum class From { above, below };
     /// A view. Its ViewBlock must be bound for draw().
     static View view(const Inputs& inputs, From from);
-    void draw(From from, const View& view, ScenePainter& painter, const Inputs& inputs, const HeightsOptions& options,
-              FrameStats::Pass& stats);
+    void draw(From from, const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs,
+              const HeightsOptions& options, FrameStats::Pass& stats);
     /// After both.
     void readHeights(const Inputs& inputs);
 
@@ -39,7 +39,8 @@ public:
     /// As it is, without its light. Waits for the GPU.
     HeightMapPicture picture() const;
 
-    /// rgba32f: underside, top and what is seen from below, m (shaders/passes/afloat_march.glsl); levels: the pyramid.
+    /// rgba32f: underside, top and what is seen from below, m (shaders/passes/above_water_march.glsl); levels: the
+    /// pyramid.
     const gl::Texture& heights() const { return heights_; }
     const gl::Texture& radiance(From from) const;
     const LevelRect& rect() const { return rect_; }
@@ -50,7 +51,7 @@ private:
         gl::Texture above, below; ///< radiance
     };
     struct Column;
-    void uploadHeights(std::vector<Column> columns, int edge);
+    void uploadHeights(std::vector<Column> columns, int resolution);
 
     gl::Target above_{"heights from above"}, below_{"heights from below"};
     gl::Texture heights_;

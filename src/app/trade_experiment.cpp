@@ -1,4 +1,4 @@
-#include "app/trade_lab.h"
+#include "app/trade_experiment.h"
 
 #include "app/error_budget.h"
 #include "app/machine.h"
@@ -69,23 +69,23 @@ std::string pngOf(const Image& image)
     return bytes;
 }
 
-Price priceOf(const BenchResult& result, const BenchResult& base, bool skipsTargets)
+Cost costOf(const BenchResult& result, const BenchResult& base, bool skipsTargets)
 {
-    Price price;
-    price.median = skipsTargets ? summarise(result.frame.wallMs).mean : percentile(result.frame.wallMs, 0.5);
-    price.p95 = percentile(result.frame.wallMs, 0.95);
-    price.cpu = skipsTargets ? summarise(result.frame.cpuMs).mean : percentile(result.frame.cpuMs, 0.5);
-    price.ratio = skipsTargets ? totalRatio(result.frame.wallMs, base.frame.wallMs)
-                               : medianRatio(result.frame.wallMs, base.frame.wallMs);
-    for (const auto& [name, series] : result.passes) price.passes.push_back({name, percentile(series.wallMs, 0.5)});
-    return price;
+    Cost cost;
+    cost.median = skipsTargets ? summarise(result.frame.wallMs).mean : percentile(result.frame.wallMs, 0.5);
+    cost.p95 = percentile(result.frame.wallMs, 0.95);
+    cost.cpu = skipsTargets ? summarise(result.frame.cpuMs).mean : percentile(result.frame.cpuMs, 0.5);
+    cost.ratio = skipsTargets ? totalRatio(result.frame.wallMs, base.frame.wallMs)
+                              : medianRatio(result.frame.wallMs, base.frame.wallMs);
+    for (const auto& [name, series] : result.passes) cost.passes.push_back({name, percentile(series.wallMs, 0.5)});
+    return cost;
 }
 
-class RenderedLab : public TradeLab {
+class RenderedExperiment : public TradeExperiment {
 public:
-    RenderedLab(const Stage& stage, const LabArguments& arguments, Progress* progress)
-        : stage_(stage), arguments_(arguments), session_(stage, arguments.size, progress),
-          truth_(stage, {arguments.size, arguments.samples, arguments.references})
+    RenderedExperiment(const SceneSetup& sceneSetup, const ExperimentArguments& arguments, Progress* progress)
+        : sceneSetup_(sceneSetup), arguments_(arguments), session_(sceneSetup, arguments.size, progress),
+          truth_(sceneSetup, {arguments.size, arguments.samples, arguments.references})
     {}
 
     ErrorFigures errors(const TradePoint& point, std::size_t view, double time) override
@@ -99,7 +99,7 @@ public:
         return figures;
     }
 
-    std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) override
+    std::vector<Cost> costs(std::span<const TradePoint> points, std::size_t view) override
     {
         const SubjectView subjectView{arguments_.views[view], arguments_.times[view], arguments_.size};
         std::vector<std::unique_ptr<BenchSubject>> subjects;
@@ -108,11 +108,11 @@ public:
                 std::make_unique<RenderedSubject>(point.label, session_, settingsOf(point), subjectView));
         const BenchReport report =
             runBenchmark(subjects, {.frames = arguments_.frames, .warmUp = 0}); // these warm themselves
-        std::vector<Price> prices;
+        std::vector<Cost> costs;
         for (std::size_t i = 0; i < points.size(); ++i)
-            prices.push_back(
-                priceOf(report.results[i], report.results.front(), longestInterval(settingsOf(points[i]).options) > 1));
-        return prices;
+            costs.push_back(
+                costOf(report.results[i], report.results.front(), longestInterval(settingsOf(points[i]).options) > 1));
+        return costs;
     }
 
     TradePictures pictures(const TradePoint& point, std::size_t view) override
@@ -129,14 +129,14 @@ public:
     std::optional<ErrorBudget> budget(std::size_t view) override
     {
         constexpr std::size_t mostBudgets = 2;
-        const Settings& settings = stage_.settings;
+        const Settings& settings = sceneSetup_.settings;
         if (view >= mostBudgets || !settings.water.present || !settings.options.water.enabled) return std::nullopt;
         const Camera& camera = arguments_.views[view];
         // Approximated and exact pictures have their noise in common, so that few samples tell what differs.
         reference::ReferenceOptions few = truth_.options();
         few.samples = std::max(few.samples / 4, 1);
         few.photons /= 5;
-        return measureBudget({.scene = stage_.scene,
+        return measureBudget({.scene = sceneSetup_.scene,
                               .settings = settings,
                               .camera = camera,
                               .time = arguments_.times[view],
@@ -151,7 +151,7 @@ public:
 private:
     Settings settingsOf(const TradePoint& point) const
     {
-        return changedSettings(stage_.settings, point.changes, point.label);
+        return changedSettings(sceneSetup_.settings, point.changes, point.label);
     }
 
     /// Mean FLIP of the picture at the end of a flight towards it, while targets of earlier frames are looked up: of as
@@ -175,7 +175,7 @@ private:
         return sum / interval;
     }
 
-    /// Glow is an effect of the lens, which the reference has not; it is priced, but not judged.
+    /// Glow is an effect of the lens, which the reference has not; it is timed, but not judged.
     Settings settleWithoutGlow(const TradePoint& point)
     {
         Settings settings = settingsOf(point);
@@ -184,17 +184,18 @@ private:
         return settings;
     }
 
-    const Stage& stage_;
-    LabArguments arguments_;
+    const SceneSetup& sceneSetup_;
+    ExperimentArguments arguments_;
     Session session_;
     TradeTruth truth_;
 };
 
 } // namespace
 
-std::unique_ptr<TradeLab> makeTradeLab(const Stage& stage, const LabArguments& arguments, Progress* progress)
+std::unique_ptr<TradeExperiment> makeTradeExperiment(const SceneSetup& sceneSetup, const ExperimentArguments& arguments,
+                                                     Progress* progress)
 {
-    return std::make_unique<RenderedLab>(stage, arguments, progress);
+    return std::make_unique<RenderedExperiment>(sceneSetup, arguments, progress);
 }
 
 } // namespace tarn

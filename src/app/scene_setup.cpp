@@ -1,4 +1,4 @@
-#include "app/stage.h"
+#include "app/scene_setup.h"
 
 #include "app/presets.h"
 #include "base/error.h"
@@ -17,16 +17,16 @@ void choosePreset(SettingsArguments& settings, const gl::Context& context)
     log::info("--preset auto: {}", chosen.why);
 }
 
-Stage loadStage(const SceneArguments& arguments, Progress* progress)
+SceneSetup loadSceneSetup(const SceneArguments& arguments, Progress* progress)
 {
     const std::filesystem::path file =
         arguments.file.empty() ? projectRoot() / "assets" / "lake" / "lake.toml" : arguments.file;
-    Stage stage;
-    stage.scene = loadScene(file, {arguments.waterLevel, progress});
+    SceneSetup sceneSetup;
+    sceneSetup.scene = loadScene(file, {arguments.waterLevel, progress});
     SettingsArguments settings = arguments.settings;
     if (settings.preset == "auto") choosePreset(settings, *gl::makeHeadlessContext({1, 1}));
-    stage.settings = resolveSettings(stage.scene, settings);
-    return stage;
+    sceneSetup.settings = resolveSettings(sceneSetup.scene, settings);
+    return sceneSetup;
 }
 
 Camera namedCamera(const Scene& scene, const std::string& name, const char* flag)

@@ -15,7 +15,7 @@
 namespace tarn {
 
 /// What a frame costs. All in milliseconds.
-struct Price {
+struct Cost {
     /// Of a frame, wall time. Where targets are drawn in some frames only, which differ by design, the mean stands for
     /// the median, here and in the ratio.
     double median = 0.0, p95 = 0.0;
@@ -28,23 +28,23 @@ struct Price {
     std::vector<Pass> passes;
 };
 
-/// Whole PNG files of one size; empty for one that the lab cannot make.
+/// Whole PNG files of one size; empty for one that the experiment cannot make.
 struct TradePictures {
     std::string realTime, reference, flip;
 };
 
-class TradeLab {
+class TradeExperiment {
 public:
-    virtual ~TradeLab() = default;
+    virtual ~TradeExperiment() = default;
 
     /// The figures of one picture. @param view index of a camera  @param time s
     virtual ErrorFigures errors(const TradePoint& point, std::size_t view, double time) = 0;
-    /// All points take turns, so that drift of the machine strikes all alike. One price for each.
-    virtual std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) = 0;
+    /// All points take turns, so that drift of the machine strikes all alike. One cost for each.
+    virtual std::vector<Cost> costs(std::span<const TradePoint> points, std::size_t view) = 0;
     virtual TradePictures pictures(const TradePoint& point, std::size_t view) = 0;
-    /// Of the base; nothing when this lab makes none of this view.
+    /// Of the base; nothing when this experiment makes none of this view.
     virtual std::optional<ErrorBudget> budget(std::size_t /*view*/) { return std::nullopt; }
-    /// "llvmpipe …; 2 threads": what the prices hold for.
+    /// "llvmpipe …; 2 threads": what the costs hold for.
     virtual std::string machine() const = 0;
 };
 

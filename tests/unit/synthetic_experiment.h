@@ -1,10 +1,10 @@
-// A lab whose prices and errors follow from formulas: what a trade must find is known beforehand.
+// An experiment whose costs and errors follow from formulas: what a trade must find is known beforehand.
 #pragma once
 
 #include "app/settings.h"
-#include "app/trade_lab.h"
+#include "app/trade_experiment.h"
 #include "base/error.h"
-#include "measure/trade/lab.h"
+#include "measure/trade/experiment.h"
 #include "measure/trade/setup.h"
 
 #include <cmath>
@@ -15,17 +15,17 @@
 
 namespace tarn::test {
 
-class SyntheticLab : public TradeLab {
+class SyntheticExperiment : public TradeExperiment {
 public:
     std::vector<std::string> measured; ///< what was asked for, in this order
     int failAfter = -1;                ///< throws at this request; negative: never
-    double drift = 0.0;                ///< each batch of prices finds the machine slower by this part
+    double drift = 0.0;                ///< each batch of costs finds the machine slower by this part
     std::string png;                   ///< every picture's bytes
 
     static Settings settingsOf(const TradePoint& point) { return changedSettings(Settings{}, point.changes, "test"); }
 
     /// ms: what more of anything costs.
-    static double priceOf(const Options& o)
+    static double costOf(const Options& o)
     {
         const auto square = [](int edge, int one) { return std::pow(static_cast<double>(edge) / one, 2.0); };
         return 2.0 + 0.15 * o.refraction.steps + square(o.refraction.targetSize, 512) +
@@ -60,29 +60,29 @@ public:
         return figures;
     }
 
-    std::vector<Price> prices(std::span<const TradePoint> points, std::size_t view) override
+    std::vector<Cost> costs(std::span<const TradePoint> points, std::size_t view) override
     {
         const double slower = 1.0 + drift * static_cast<double>(batches_++);
-        std::vector<Price> prices;
-        std::string asked = "prices " + std::to_string(view);
+        std::vector<Cost> costs;
+        std::string asked = "costs " + std::to_string(view);
         for (const TradePoint& point : points) {
             asked += " " + point.id;
             const Options options = settingsOf(point).options;
-            const double ms = slower * priceOf(options) * (1.0 + 0.1 * static_cast<double>(view));
+            const double ms = slower * costOf(options) * (1.0 + 0.1 * static_cast<double>(view));
             const double base =
-                slower * priceOf(settingsOf(points.front()).options) * (1.0 + 0.1 * static_cast<double>(view));
-            prices.push_back({ms,
-                              1.1 * ms,
-                              1.9 * ms,
-                              ms / base,
-                              {{"water", 0.3 * ms},
-                               {"refraction", 0.25 * ms},
-                               {"reflection", 0.15 * ms},
-                               {"caustics", 0.2 * ms},
-                               {"scene", 0.1 * ms}}});
+                slower * costOf(settingsOf(points.front()).options) * (1.0 + 0.1 * static_cast<double>(view));
+            costs.push_back({ms,
+                             1.1 * ms,
+                             1.9 * ms,
+                             ms / base,
+                             {{"water", 0.3 * ms},
+                              {"refraction", 0.25 * ms},
+                              {"reflection", 0.15 * ms},
+                              {"caustics", 0.2 * ms},
+                              {"scene", 0.1 * ms}}});
         }
         note(asked);
-        return prices;
+        return costs;
     }
 
     TradePictures pictures(const TradePoint& point, std::size_t view) override

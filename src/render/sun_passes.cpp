@@ -1,4 +1,4 @@
-#include "render/sun_stage.h"
+#include "render/sun_passes.h"
 
 #include "optics/optics.h"
 #include "render/bindings.h"
@@ -15,8 +15,8 @@ namespace {
 /// Whether waves move the place where the sun's light enters by more than a quarter of a photon's cell.
 bool movesSideways(const WaterBody& water, const vec3& toSun, float cellEdge)
 {
-    const float slant = std::sqrt(toSun.x * toSun.x + toSun.z * toSun.z) / toSun.y;
-    return totalAmplitude(water) * slant > 0.25f * cellEdge;
+    const float shear = std::sqrt(toSun.x * toSun.x + toSun.z * toSun.z) / toSun.y;
+    return totalAmplitude(water) * shear > 0.25f * cellEdge;
 }
 
 /// What a lattice of cells of this edge (m) can carry of each wave; shorter ones fade, as they do in the picture.
@@ -30,11 +30,11 @@ std::vector<float> waveWeights(const blocks::WavesBlock& waves, int count, float
 
 } // namespace
 
-SunStage::SunStage(gl::ShaderLibrary& shaders)
+SunPasses::SunPasses(gl::ShaderLibrary& shaders)
     : block_(static_cast<int>(BlockIndex::sun), "sun block"), caustics_(shaders)
 {}
 
-void SunStage::begin(const Inputs& inputs, Kept& kept, bool draws)
+void SunPasses::begin(const Inputs& inputs, FrameCache& kept, bool draws)
 {
     const Options& options = inputs.options;
     volume_ = sunVolume(inputs.water, inputs.bounds, inputs.light.sunDirection, options.sunlight);
@@ -43,26 +43,26 @@ void SunStage::begin(const Inputs& inputs, Kept& kept, bool draws)
         if (!usesCausticsAgain_) region_ = causticsRegion(inputs.water, inputs.head, options.caustics);
     }
     block_.update(sunBlock(volume_, region_, options));
-    lit_ = PaintStyle{};
+    lit_ = SceneVariant{};
     lit_.dithersCutOuts = dithersCutOuts(options.frame);
     lit_.shadows = inputs.plan[PassId::sunlight].wanted && options.sunlight.shadows;
     lit_.caustics = inputs.plan[PassId::caustics].wanted;
     lit_.depthFirst = options.frame.depthPrepass;
 }
 
-void SunStage::draw(const Inputs& inputs, Drawing& drawing)
+void SunPasses::draw(const Inputs& inputs, FrameContext& context)
 {
-    if (inputs.plan[PassId::sunlight].wanted) drawSunlight(inputs, drawing);
+    if (inputs.plan[PassId::sunlight].wanted) drawSunlight(inputs, context);
     if (!inputs.plan[PassId::caustics].wanted) return;
     const bool isThere = std::exchange(hasCaustics_, true);
     if (!isThere && usesCausticsAgain_)
-        drawing.stats.plan[PassId::caustics].reason += " (caustics.interval: an earlier frame's)";
-    else if (!isThere && !drawing.kept.caustics({sunlightInputs(inputs), region_, inputs.light, inputs.waves}))
-        drawCaustics(inputs, drawing);
-    drawing.painter.setSunMaps({&sunlight_.depth(), &caustics_.target().colour(), inputs.options.sunlight.taps});
+        context.stats.plan[PassId::caustics].reason += " (caustics.interval: an earlier frame's)";
+    else if (!isThere && !context.cache.caustics({sunlightInputs(inputs), region_, inputs.light, inputs.waves}))
+        drawCaustics(inputs, context);
+    context.sceneRenderer.setSunMaps({&sunlight_.depth(), &caustics_.target().colour(), inputs.options.sunlight.taps});
 }
 
-SunlightPass::Inputs SunStage::sunlightInputs(const Inputs& inputs) const
+SunlightPass::Inputs SunPasses::sunlightInputs(const Inputs& inputs) const
 {
     return {volume_,
             inputs.light.sunDirection,
@@ -73,34 +73,34 @@ SunlightPass::Inputs SunStage::sunlightInputs(const Inputs& inputs) const
             inputs.options.detail.pixels};
 }
 
-void SunStage::drawSunlight(const Inputs& frame, Drawing& drawing)
+void SunPasses::drawSunlight(const Inputs& frame, FrameContext& context)
 {
-    gl::PassScope scope(drawing.profiler, passName(PassId::sunlight));
-    FrameStats::Pass& pass = drawing.stats.of(passName(PassId::sunlight));
+    gl::PassScope scope(context.profiler, passName(PassId::sunlight));
+    FrameStats::Pass& pass = context.stats.of(passName(PassId::sunlight));
     const SunlightOptions& options = frame.options.sunlight;
     const SunlightPass::Inputs inputs = sunlightInputs(frame);
     const bool holds = !sunlight_.isStale(inputs, options);
-    if (!std::exchange(hasSunlight_, true) && !drawing.kept.map(PassId::sunlight, holds)) {
+    if (!std::exchange(hasSunlight_, true) && !context.cache.map(PassId::sunlight, holds)) {
         const bool cull = frame.options.plan.allows(RuleId::cullChunks);
         const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
             View view = sunView(volume_, layer, cascade, toSun, frame.water, inputs.hasWater);
             // What clears a surface by the bias must still clear it.
             view.geometryError = std::min(geometryErrorOf(view, ivec2(options.mapSize), inputs.detail),
                                           0.5f * shadowBias(volume_, cascade, options));
-            drawing.viewBlock.update(viewBlock(view, ivec2(options.mapSize)));
-            sunlight_.draw(layer, cascade, view, drawing.painter, inputs, options, cull, pass);
+            context.viewBlock.update(viewBlock(view, ivec2(options.mapSize)));
+            sunlight_.draw(layer, cascade, view, context.sceneRenderer, inputs, options, cull, pass);
         };
         for (std::size_t cascade = 0; cascade < volume_.cascades.size(); ++cascade)
-            draw(SunLayer::afloat, cascade, inputs.toSun);
+            draw(SunLayer::aboveWater, cascade, inputs.toSun);
         draw(SunLayer::submerged, 0, inputs.toSunBelow);
         sunlight_.keep(inputs, options);
     }
-    drawing.painter.setSunMaps({&sunlight_.depth(), nullptr, options.taps});
+    context.sceneRenderer.setSunMaps({&sunlight_.depth(), nullptr, options.taps});
 }
 
-void SunStage::drawCaustics(const Inputs& inputs, Drawing& drawing)
+void SunPasses::drawCaustics(const Inputs& inputs, FrameContext& context)
 {
-    gl::PassScope scope(drawing.profiler, passName(PassId::caustics));
+    gl::PassScope scope(context.profiler, passName(PassId::caustics));
     const CausticsOptions& options = inputs.options.caustics;
     const float cell = 2.0f * region_.rect.halfExtent.x / static_cast<float>(options.photons);
     const gl::Target& drawn =
@@ -110,16 +110,16 @@ void SunStage::drawCaustics(const Inputs& inputs, Drawing& drawing)
                         .absorption = inputs.water.absorption,
                         .surfaceMovesSideways = movesSideways(inputs.water, inputs.light.sunDirection, cell),
                         .waveWeights = waveWeights(inputs.waves, drawnWaveCount(inputs.water), cell)},
-                       drawing.stats.of(passName(PassId::caustics)));
-    drawing.kept.causticsWereDrawn();
-    drawing.check(PassId::caustics, drawn);
+                       context.stats.of(passName(PassId::caustics)));
+    context.cache.causticsWereDrawn();
+    context.check(PassId::caustics, drawn);
 }
 
-CausticsMap SunStage::readCaustics(const WaterBody& water, const vec3& toSunBelow) const
+CausticsMap SunPasses::readCaustics(const WaterBody& water, const vec3& toSunBelow) const
 {
     const gl::Texture& texture = caustics_.target().colour();
     CausticsMap map{.region = region_,
-                    .edge = texture.size().x,
+                    .resolution = texture.size().x,
                     .light = {},
                     .water = {water.centre, 0.5f * water.extent},
                     .level = water.level,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/caustics_map.h"
-#include "render/drawing.h"
+#include "render/frame_context.h"
 #include "render/passes/caustics.h"
 #include "render/passes/sunlight.h"
 #include "render/sun_views.h"
@@ -12,9 +12,9 @@
 
 namespace tarn {
 
-class SunStage {
+class SunPasses {
 public:
-    explicit SunStage(gl::ShaderLibrary& shaders);
+    explicit SunPasses(gl::ShaderLibrary& shaders);
 
     /// Before the first eye of a frame.
     void beginFrame() { hasSunlight_ = hasCaustics_ = isPlaced_ = false; }
@@ -31,12 +31,12 @@ public:
     };
     /// Finds what the maps cover and uploads it.
     /// @param draws whether draw() will follow; else all stays as it is
-    void begin(const Inputs& inputs, Kept& kept, bool draws);
-    /// Draws the maps that begin() found wanting, and gives them to the painter.
-    void draw(const Inputs& inputs, Drawing& drawing);
+    void begin(const Inputs& inputs, FrameCache& kept, bool draws);
+    /// Draws the maps that begin() found missing, and gives them to the scene renderer.
+    void draw(const Inputs& inputs, FrameContext& context);
 
     /// What of the sun's light the passes look up.
-    const PaintStyle& lit() const { return lit_; }
+    const SceneVariant& lit() const { return lit_; }
     const SunVolume& volume() const { return volume_; }
 
     const gl::Target& caustics() const { return caustics_.target(); }
@@ -45,15 +45,15 @@ public:
 
 private:
     SunlightPass::Inputs sunlightInputs(const Inputs& inputs) const;
-    void drawSunlight(const Inputs& inputs, Drawing& drawing);
-    void drawCaustics(const Inputs& inputs, Drawing& drawing);
+    void drawSunlight(const Inputs& inputs, FrameContext& context);
+    void drawCaustics(const Inputs& inputs, FrameContext& context);
 
     gl::UniformBuffer<blocks::SunBlock> block_;
     SunlightPass sunlight_;
     CausticsPass caustics_;
     SunVolume volume_;
     CausticsRegion region_;
-    PaintStyle lit_;
+    SceneVariant lit_;
     bool hasSunlight_ = false;       ///< this frame's maps of the sun are drawn, or kept
     bool isPlaced_ = false;          ///< this frame's region_ is known
     bool usesCausticsAgain_ = false; ///< this frame looks up those of an earlier one

@@ -1,4 +1,4 @@
-#include "render/kept.h"
+#include "render/frame_cache.h"
 
 #include "render/frame_light.h"
 
@@ -7,7 +7,7 @@
 
 namespace tarn {
 
-Moment momentOf(const FrameInput& input, const Options& options, const WaterBody& water, std::size_t rebuilt)
+FrameKey frameKeyOf(const FrameInput& input, const Options& options, const WaterBody& water, std::size_t rebuilt)
 {
     const bool isStill = totalAmplitude(water) == 0.0f && !water.normalMap.isSeen();
     return {options, water, input.camera, isStill ? 0.0 : input.time, input.size, input.view, rebuilt, input.sample};
@@ -20,7 +20,7 @@ bool CausticsKey::operator==(const CausticsKey& other) const
            std::memcmp(&waves, &other.waves, sizeof waves) == 0;
 }
 
-bool Kept::beginFrame(const Moment& moment, const PlanOptions& rules, bool mayKeepFrame)
+bool FrameCache::beginFrame(const FrameKey& moment, const PlanOptions& rules, bool mayKeepFrame)
 {
     const bool isSequel =
         moment.options == moment_.options && moment.water == moment_.water && moment.size == moment_.size;
@@ -38,25 +38,25 @@ bool Kept::beginFrame(const Moment& moment, const PlanOptions& rules, bool mayKe
     return false;
 }
 
-void Kept::endFrame()
+void FrameCache::endFrame()
 {
     frame_.holds(moment_);
     if (isAnyStale_) frame_.forget(); // a picture that comes to rest is drawn until all of it is of its moment
 }
 
-UpdateInterval& Kept::intervalOf(PassId pass)
+UpdateInterval& FrameCache::intervalOf(PassId pass)
 {
     return pass == PassId::caustics     ? causticsInterval_
            : pass == PassId::refraction ? refractionInterval_
                                         : reflectionInterval_;
 }
 
-UpdateState Kept::stateFor(const Camera& camera, WaterSide side) const
+UpdateState FrameCache::stateFor(const Camera& camera, WaterSide side) const
 {
     return {moment_.options, moment_.water, camera, moment_.time, moment_.size, moment_.rebuilt, side, causticsDrawn_};
 }
 
-bool Kept::isUsedAgain(PassId pass, const Camera& camera, WaterSide side)
+bool FrameCache::isUsedAgain(PassId pass, const Camera& camera, WaterSide side)
 {
     const Options& options = moment_.options;
     const int interval = pass == PassId::caustics     ? options.caustics.interval
@@ -69,14 +69,14 @@ bool Kept::isUsedAgain(PassId pass, const Camera& camera, WaterSide side)
     return isUsed;
 }
 
-bool Kept::keeps(RuleId rule, PassId pass, bool holds)
+bool FrameCache::keeps(RuleId rule, PassId pass, bool holds)
 {
     if (!holds || !rules_.allows(rule)) return false;
     noted_ += (noted_.empty() ? "" : ", ") + std::string(passName(pass));
     return true;
 }
 
-bool Kept::caustics(CausticsKey key)
+bool FrameCache::caustics(CausticsKey key)
 {
     key.light = lastingLight(key.light);
     if (totalAmplitude(moment_.water) == 0.0f) key.waves = {};
@@ -84,27 +84,27 @@ bool Kept::caustics(CausticsKey key)
                  caustics_.holds({key, moment_.options.caustics, moment_.options.sunlight, moment_.rebuilt}));
 }
 
-void Kept::causticsWereDrawn()
+void FrameCache::causticsWereDrawn()
 {
     ++causticsDrawn_;
     causticsInterval_.wasDrawn(stateFor(moment_.camera, WaterSide::above), drawnFrames_);
 }
 
-bool Kept::target(PassId pass, const Camera& camera, WaterSide side, const TargetBounds& bounds, bool hasCaustics,
-                  bool showsCaustics)
+bool FrameCache::target(PassId pass, const Camera& camera, WaterSide side, const TargetBounds& bounds, bool hasCaustics,
+                        bool showsCaustics)
 {
     TargetKey key{moment_, side, bounds, hasCaustics, hasCaustics && showsCaustics ? causticsDrawn_ : 0};
     key.moment.camera = camera;
     key.moment.time = 0.0;
     key.moment.sample = 0;
     key.moment.view = DebugView::final;
-    LastDrawn<TargetKey>& last = pass == PassId::refraction ? refraction_ : reflection_;
-    // Kept or drawn: it is what this frame needs.
+    CachedKey<TargetKey>& last = pass == PassId::refraction ? refraction_ : reflection_;
+    // Cached or drawn: it is what this frame needs.
     intervalOf(pass).wasDrawn(stateFor(camera, side), drawnFrames_);
     return keeps(RuleId::keepTargets, pass, last.holds(key));
 }
 
-void Kept::tell(FramePlan& plan, RuleId rule)
+void FrameCache::tell(FramePlan& plan, RuleId rule)
 {
     const std::string noted = std::exchange(noted_, "");
     if (!rules_.allows(rule)) return; // the plan says so
@@ -112,7 +112,7 @@ void Kept::tell(FramePlan& plan, RuleId rule)
                                     : RuleState{true, "as an earlier frame left it: " + noted};
 }
 
-void Kept::forgetTargets()
+void FrameCache::forgetTargets()
 {
     refraction_.forget();
     reflection_.forget();
@@ -120,7 +120,7 @@ void Kept::forgetTargets()
     reflectionInterval_.forget();
 }
 
-void Kept::forget()
+void FrameCache::forget()
 {
     forgetTargets();
     frame_.forget();

@@ -14,7 +14,7 @@
 namespace tarn {
 
 /// How a view of the scene differs from the plain one.
-struct PaintStyle {
+struct SceneVariant {
     bool underwaterEye = false;             ///< between eye and submerged things there is water
     const gl::Texture* waterline = nullptr; ///< or only where this says so, pixel by pixel (passes/waterline.h)
     bool sunDisc = false;                   ///< the sky shows the sun itself
@@ -35,19 +35,19 @@ struct PaintStyle {
     bool sky = true;                        ///< fill what no geometry covers with the sky (or, under water, with water)
 };
 
-/// What the sun's light is looked up in. Null: not there, and not asked for by any style.
+/// What the sun's light is looked up in. Null: not there, and not asked for by any variant.
 struct SunMaps {
     const gl::Texture* depth = nullptr;    ///< of SunlightPass
     const gl::Texture* caustics = nullptr; ///< irradiance on the bed relative to the sun's above the water
     int taps = 2;                          ///< comparisons along an edge of the shadow filter
 };
 
-class ScenePainter {
+class SceneRenderer {
 public:
-    ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders);
+    SceneRenderer(const GpuScene& scene, gl::ShaderLibrary& shaders);
 
-    /// Compiles what the scene's materials need in a style, so that the first frame does not wait for it.
-    void prepare(const PaintStyle& style);
+    /// Compiles what the scene's materials need in a variant, so that the first frame does not wait for it.
+    void prepare(const SceneVariant& variant);
 
     /// For all draws from now on: what is drawn wholly in the air, or wholly under water, leaves out the other's light.
     /// Null: there is no water. Must outlive the draws.
@@ -61,19 +61,20 @@ public:
     void setWarmingUp(bool warmingUp) { warmingUp_ = warmingUp; }
 
     /// Draws into the bound target. FrameBlock and the view's ViewBlock must be bound.
-    void draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull, FrameStats::Pass& stats);
+    void draw(const View& view, const SceneVariant& variant, const WaterCover& cover, bool cull,
+              FrameStats::Pass& stats);
 
 private:
     /// What a material asks of the shader. Bits of a key.
     unsigned features(const Chunk& chunk) const;
-    gl::Program& sceneProgram(unsigned features, const PaintStyle& style);
-    gl::Program& skyProgram(const PaintStyle& style);
+    gl::Program& sceneProgram(unsigned features, const SceneVariant& variant);
+    gl::Program& skyProgram(const SceneVariant& variant);
     void setMaterial(gl::Program& program, const Material& material, bool dithers) const;
-    void drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
+    void drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const SceneVariant& variant,
                     FrameStats::Pass& stats);
-    void drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
+    void drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view, const SceneVariant& variant,
                         FrameStats::Pass& stats);
-    void drawSky(const PaintStyle& style);
+    void drawSky(const SceneVariant& variant);
     const gl::VertexArray& meshArray(int mesh);
 
     const GpuScene& scene_;

@@ -11,7 +11,7 @@ namespace gl {
 class Context;
 }
 
-struct Stage {
+struct SceneSetup {
     Scene scene;
     Settings settings;
 };
@@ -21,7 +21,7 @@ void choosePreset(SettingsArguments& settings, const gl::Context& context);
 
 /// Loads the scene that the arguments name (the shipped lake when they name none) and resolves the settings. For the
 /// preset "auto" it makes a headless context and asks it what the machine is.
-Stage loadStage(const SceneArguments& arguments, Progress* progress);
+SceneSetup loadSceneSetup(const SceneArguments& arguments, Progress* progress);
 
 /// The scene's first camera when the name is empty. Throws UsageError, with the flag that named it, when the scene has
 /// no such camera.

@@ -1,4 +1,4 @@
-#include "render/scene_painter.h"
+#include "render/scene_renderer.h"
 
 #include "gl/state.h"
 #include "render/unrolled.h"
@@ -76,7 +76,7 @@ bool transmits(const Material& material) { return material.alphaTested && materi
 
 } // namespace
 
-ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders)
+SceneRenderer::SceneRenderer(const GpuScene& scene, gl::ShaderLibrary& shaders)
     : scene_(scene), shaders_(shaders), meshArrays_(scene.scene().meshes.size())
 {
     for (const Instance& instance : scene.instances())
@@ -86,7 +86,7 @@ ScenePainter::ScenePainter(const GpuScene& scene, gl::ShaderLibrary& shaders)
     setWater(scene.scene().water.present ? &scene.scene().water : nullptr);
 }
 
-void ScenePainter::setWater(const WaterBody* water)
+void SceneRenderer::setWater(const WaterBody* water)
 {
     constexpr float rim = 0.01f; // as in scene.frag
     water_ = water;
@@ -95,7 +95,7 @@ void ScenePainter::setWater(const WaterBody* water)
         media_.push_back(water ? mediumOf(chunk.boundsW, *water, rim) : Medium::air);
 }
 
-unsigned ScenePainter::features(const Chunk& chunk) const
+unsigned SceneRenderer::features(const Chunk& chunk) const
 {
     const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk.material)];
     unsigned bits = 0;
@@ -116,24 +116,24 @@ unsigned ScenePainter::features(const Chunk& chunk) const
     return bits;
 }
 
-gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style)
+gl::Program& SceneRenderer::sceneProgram(unsigned bits, const SceneVariant& variant)
 {
-    if (style.underwaterEye || style.waterline) bits |= underwaterEye;
-    if (style.throughFlatWater) bits |= flatWater;
-    if (style.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
-    if (style.dithersCutOuts && (bits & alphaTest) && (bits & (diffuseMap | alphaMap))) bits |= dithered;
-    if (style.depthIsDrawn) bits &= ~(alphaTest | alphaToCoverage | dithered);
-    if (style.debugNormals) bits |= debugNormals;
-    if (style.shadows) bits |= shadows;
-    if (style.caustics && !(bits & inAir)) bits |= caustics;
-    if (style.forMap) bits |= forMap;
-    if (style.countsFaces) bits |= countsFaces;
-    if (style.depthOnly || style.countsFaces) {
+    if (variant.underwaterEye || variant.waterline) bits |= underwaterEye;
+    if (variant.throughFlatWater) bits |= flatWater;
+    if (variant.alphaToCoverage && (bits & alphaTest)) bits |= alphaToCoverage;
+    if (variant.dithersCutOuts && (bits & alphaTest) && (bits & (diffuseMap | alphaMap))) bits |= dithered;
+    if (variant.depthIsDrawn) bits &= ~(alphaTest | alphaToCoverage | dithered);
+    if (variant.debugNormals) bits |= debugNormals;
+    if (variant.shadows) bits |= shadows;
+    if (variant.caustics && !(bits & inAir)) bits |= caustics;
+    if (variant.forMap) bits |= forMap;
+    if (variant.countsFaces) bits |= countsFaces;
+    if (variant.depthOnly || variant.countsFaces) {
         bits &= shapeFeatures;
         if (!(bits & alphaTest)) bits &= countsFaces | flatWater; // maps matter to cut-outs only
         bits |= depthOnly;
     }
-    const int taps = style.shadows ? sunMaps_.taps : 0;
+    const int taps = variant.shadows ? sunMaps_.taps : 0;
     auto& program = scenePrograms_[{bits, taps}];
     if (!program) {
         gl::Defines defines = definesOf(bits);
@@ -146,24 +146,24 @@ gl::Program& ScenePainter::sceneProgram(unsigned bits, const PaintStyle& style)
     return *program;
 }
 
-gl::Program& ScenePainter::skyProgram(const PaintStyle& style)
+gl::Program& SceneRenderer::skyProgram(const SceneVariant& variant)
 {
     unsigned bits = 0;
-    if (style.sunDisc) bits |= sunDisc;
-    if (style.underwaterEye) bits |= underwaterEye;
-    if (style.waterline) bits |= skyWaterline;
+    if (variant.sunDisc) bits |= sunDisc;
+    if (variant.underwaterEye) bits |= underwaterEye;
+    if (variant.waterline) bits |= skyWaterline;
     auto& program = skyPrograms_[bits];
     if (!program) program = shaders_.program("sky", "passes/sky.vert", "passes/sky.frag", definesOf(bits));
     return *program;
 }
 
-void ScenePainter::prepare(const PaintStyle& style)
+void SceneRenderer::prepare(const SceneVariant& variant)
 {
-    for (const Chunk& chunk : scene_.chunks().all) sceneProgram(features(chunk), style);
-    skyProgram(style);
+    for (const Chunk& chunk : scene_.chunks().all) sceneProgram(features(chunk), variant);
+    skyProgram(variant);
 }
 
-void ScenePainter::setMaterial(gl::Program& program, const Material& material, bool dithers) const
+void SceneRenderer::setMaterial(gl::Program& program, const Material& material, bool dithers) const
 {
     using MapUse = GpuScene::MapUse;
     program.set("diffuseReflectance", material.diffuse);
@@ -178,7 +178,7 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material, b
         program.set("alphaCutoff", material.alphaCutoff);
     }
     const auto map = [&](int image, MapUse use) -> const gl::Texture& {
-        return dithers && material.alphaTested ? scene_.shares(image, use) : scene_.texture(image, use);
+        return dithers && material.alphaTested ? scene_.coverage(image, use) : scene_.texture(image, use);
     };
     if (material.diffuseMap != noImage) program.texture("diffuseMap", map(material.diffuseMap, MapUse::colour));
     if (material.normalMap != noImage) program.texture("normalMap", scene_.texture(material.normalMap, MapUse::data));
@@ -187,43 +187,43 @@ void ScenePainter::setMaterial(gl::Program& program, const Material& material, b
     if (material.alphaMap != noImage) program.texture("alphaMap", map(material.alphaMap, MapUse::data));
 }
 
-void ScenePainter::draw(const View& view, const PaintStyle& style, const WaterCover& cover, bool cull,
-                        FrameStats::Pass& stats)
+void SceneRenderer::draw(const View& view, const SceneVariant& variant, const WaterCover& cover, bool cull,
+                         FrameStats::Pass& stats)
 {
     if (media_.size() != scene_.chunks().all.size())
         setWater(water_); // another renderer has asked the scene for levels of detail
     const auto chunks = visibleChunks(scene_.chunks(), scene_.scene().materials, view, cover, cull, water_);
-    if (style.depthFirst && !style.depthOnly)
-        drawDepthFirst(chunks, view, style, stats);
+    if (variant.depthFirst && !variant.depthOnly)
+        drawDepthFirst(chunks, view, variant, stats);
     else
-        drawChunks(chunks, view, style, stats);
-    if (style.sky) drawSky(style);
+        drawChunks(chunks, view, variant, stats);
+    if (variant.sky) drawSky(variant);
 }
 
 /// Foliage hides foliage many times over, and a shader that discards cannot be kept from what is hidden. Its shape goes
 /// first, in a shader of one lookup; what is solid hides little of itself and is shaded at once; then foliage is shaded
 /// where its depth was left.
-void ScenePainter::drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
-                                  FrameStats::Pass& stats)
+void SceneRenderer::drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view,
+                                   const SceneVariant& variant, FrameStats::Pass& stats)
 {
     std::vector<const Chunk*> cutOuts, solids;
     for (const Chunk* chunk : chunks) {
         const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
         (material.alphaTested ? cutOuts : solids).push_back(chunk);
     }
-    PaintStyle shape = style;
+    SceneVariant shape = variant;
     shape.depthOnly = true;
     shape.shadows = shape.caustics = false;
     shape.waterline = nullptr;
     drawChunks(cutOuts, view, shape, stats);
-    drawChunks(solids, view, style, stats);
-    PaintStyle shaded = style;
+    drawChunks(solids, view, variant, stats);
+    SceneVariant shaded = variant;
     shaded.depthIsDrawn = true;
     drawChunks(cutOuts, view, shaded, stats);
 }
 
-void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const PaintStyle& style,
-                              FrameStats::Pass& stats)
+void SceneRenderer::drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const SceneVariant& variant,
+                               FrameStats::Pass& stats)
 {
     const gl::Program* lastProgram = nullptr;
     int lastMaterial = -1;
@@ -232,45 +232,45 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
     std::set<std::pair<const gl::Program*, int>> warm; // with the state
     for (const Chunk* chunk : chunks) {
         const Material& material = scene_.scene().materials[static_cast<std::size_t>(chunk->material)];
-        if (style.countsFaces && (material.twoSided || material.alphaTested)) continue; // sheets, with nothing within
-        const int state = (material.twoSided || style.bothSides || style.countsFaces ? 1 : 0) |
-                          (material.alphaTested && style.alphaToCoverage ? 2 : 0);
+        if (variant.countsFaces && (material.twoSided || material.alphaTested)) continue; // sheets, with nothing within
+        const int state = (material.twoSided || variant.bothSides || variant.countsFaces ? 1 : 0) |
+                          (material.alphaTested && variant.alphaToCoverage ? 2 : 0);
         if (state != lastState) {
             // Back faces go before clipping, or the clip plane would show the insides of what it cuts (Fig. 3).
-            gl::apply({.depthTest = style.countsFaces    ? gl::DepthTest::off
-                                    : style.depthIsDrawn ? gl::DepthTest::equal
-                                                         : gl::DepthTest::less,
-                       .depthWrite = !style.depthIsDrawn,
-                       .depthClamp = style.countsFaces, // what stands over the map's range counts too
+            gl::apply({.depthTest = variant.countsFaces    ? gl::DepthTest::off
+                                    : variant.depthIsDrawn ? gl::DepthTest::equal
+                                                           : gl::DepthTest::less,
+                       .depthWrite = !variant.depthIsDrawn,
+                       .depthClamp = variant.countsFaces, // what stands over the map's range counts too
                        .cull = (state & 1) ? gl::Cull::none : gl::Cull::back,
                        .clockwiseFront = view.mirrored,
-                       .blend = style.countsFaces ? gl::Blend::add : gl::Blend::none,
+                       .blend = variant.countsFaces ? gl::Blend::add : gl::Blend::none,
                        .clipDistances = view.clips() ? 1 : 0,
-                       .colourWrite = !(style.depthFirst && style.depthOnly),
+                       .colourWrite = !(variant.depthFirst && variant.depthOnly),
                        .alphaToCoverage = (state & 2) != 0,
-                       .scissor = style.scissor});
+                       .scissor = variant.scissor});
             lastState = state;
         }
         const unsigned bits = features(*chunk);
-        gl::Program& program = sceneProgram(bits, style);
+        gl::Program& program = sceneProgram(bits, variant);
         if (warmingUp_ && !warm.insert({&program, state}).second) continue;
         const bool newProgram = &program != lastProgram;
         if (newProgram) {
             program.use();
-            if (style.waterline || style.underwaterEye)
-                program.texture("waterline", style.waterline ? *style.waterline : allUnderwater_);
-            if (style.shadows) program.texture("sunDepth", *sunMaps_.depth);
-            if (style.caustics && !(bits & inAir)) program.texture("causticsMap", *sunMaps_.caustics);
+            if (variant.waterline || variant.underwaterEye)
+                program.texture("waterline", variant.waterline ? *variant.waterline : allUnderwater_);
+            if (variant.shadows) program.texture("sunDepth", *sunMaps_.depth);
+            if (variant.caustics && !(bits & inAir)) program.texture("causticsMap", *sunMaps_.caustics);
         }
-        if (newProgram || chunk->material != lastMaterial) setMaterial(program, material, style.dithersCutOuts);
+        if (newProgram || chunk->material != lastMaterial) setMaterial(program, material, variant.dithersCutOuts);
         if (newProgram || chunk->instance != lastInstance) {
             const auto i = static_cast<std::size_t>(chunk->instance);
             program.set("worldFromModel", scene_.instances()[i].worldFromModel);
             program.set("worldFromModelNormal", worldFromModelNormal_[i]);
         }
-        if (style.dithersCutOuts && material.alphaTested)
+        if (variant.dithersCutOuts && material.alphaTested)
             program.set("chunk", static_cast<int>(chunk - scene_.chunks().all.data()));
-        if (style.shadows) program.set("geometryError", chunk->error);
+        if (variant.shadows) program.set("geometryError", chunk->error);
         lastProgram = &program;
         lastMaterial = chunk->material;
         lastInstance = chunk->instance;
@@ -282,7 +282,7 @@ void ScenePainter::drawChunks(const std::vector<const Chunk*>& chunks, const Vie
     }
 }
 
-const gl::VertexArray& ScenePainter::meshArray(int mesh)
+const gl::VertexArray& SceneRenderer::meshArray(int mesh)
 {
     MeshArray& known = meshArrays_[static_cast<std::size_t>(mesh)];
     const MeshBuffers& buffers = scene_.buffers(mesh);
@@ -291,13 +291,13 @@ const gl::VertexArray& ScenePainter::meshArray(int mesh)
     return known.array;
 }
 
-void ScenePainter::drawSky(const PaintStyle& style)
+void SceneRenderer::drawSky(const SceneVariant& variant)
 {
-    gl::apply({.depthTest = gl::DepthTest::lessEqual, .depthWrite = false, .scissor = style.scissor});
-    gl::Program& program = skyProgram(style);
+    gl::apply({.depthTest = gl::DepthTest::lessEqual, .depthWrite = false, .scissor = variant.scissor});
+    gl::Program& program = skyProgram(variant);
     program.use();
-    if (!style.underwaterEye) program.texture("skyMap", scene_.skyMap());
-    if (style.waterline) program.texture("waterline", *style.waterline);
+    if (!variant.underwaterEye) program.texture("skyMap", scene_.skyMap());
+    if (variant.waterline) program.texture("waterline", *variant.waterline);
     triangle_.draw();
 }
 

@@ -1,4 +1,4 @@
-#include "render/passes/heights_afloat.h"
+#include "render/passes/heights_above_water.h"
 
 #include "gl/state.h"
 #include "render/frame_light.h"
@@ -11,18 +11,18 @@
 namespace tarn {
 
 /// A texel of the heights.
-struct AfloatHeightsPass::Column {
-    float underside = nothingAfloat, top = -nothingAfloat, seenFromBelow = -nothingAfloat, spare = 0.0f;
+struct AboveWaterHeightsPass::Column {
+    float underside = nothingAboveWater, top = -nothingAboveWater, seenFromBelow = -nothingAboveWater, spare = 0.0f;
 };
 
-bool AfloatHeightsPass::isStale(const Inputs& inputs, const HeightsOptions& options) const
+bool AboveWaterHeightsPass::isStale(const Inputs& inputs, const HeightsOptions& options) const
 {
     return !drawn_ || !(drawn_->rect == inputs.rect) || drawn_->lowest != inputs.lowest ||
            drawn_->highest != inputs.highest || drawn_->lit.shadows != inputs.lit.shadows ||
            heights_.size().x != powerOfTwo(options.mapSize) || !sameLight(drawn_->light, inputs.light);
 }
 
-View AfloatHeightsPass::view(const Inputs& inputs, From from)
+View AboveWaterHeightsPass::view(const Inputs& inputs, From from)
 {
     View view = parallelView(inputs.rect, inputs.lowest, inputs.highest, vec2(0.0f), inputs.lowest);
     const float away = 1000.0f;
@@ -36,8 +36,8 @@ View AfloatHeightsPass::view(const Inputs& inputs, From from)
     return view;
 }
 
-void AfloatHeightsPass::draw(From from, const View& view, ScenePainter& painter, const Inputs& inputs,
-                             const HeightsOptions& options, FrameStats::Pass& stats)
+void AboveWaterHeightsPass::draw(From from, const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs,
+                                 const HeightsOptions& options, FrameStats::Pass& stats)
 {
     gl::Target& target = from == From::above ? above_ : below_;
     target.ensure({.size = ivec2(powerOfTwo(options.mapSize)),
@@ -48,17 +48,17 @@ void AfloatHeightsPass::draw(From from, const View& view, ScenePainter& painter,
     target.bind();
     for (const int colour : {0, 1}) target.drawFramebuffer().clearColour(vec4(0.0f), colour);
     target.drawFramebuffer().clearDepth();
-    PaintStyle style = inputs.lit;
-    style.depthFirst = false; // the map must know cut-outs from solids
-    style.caustics = false;
-    style.forMap = true;
-    style.bothSides = true; // a bank is seen from below through the ground
-    style.sky = false;
-    painter.draw(view, style, WaterCover{}, inputs.cull, stats);
+    SceneVariant variant = inputs.lit;
+    variant.depthFirst = false; // the map must know cut-outs from solids
+    variant.caustics = false;
+    variant.forMap = true;
+    variant.bothSides = true; // a bank is seen from below through the ground
+    variant.sky = false;
+    sceneRenderer.draw(view, variant, WaterCover{}, inputs.cull, stats);
     target.colour().generateMipmaps();
 }
 
-void AfloatHeightsPass::readHeights(const Inputs& inputs)
+void AboveWaterHeightsPass::readHeights(const Inputs& inputs)
 {
     const std::vector<float> depthsAbove = above_.depth().readBack(), depthsBelow = below_.depth().readBack();
     const std::vector<float> sides = below_.colour(1).readBack();
@@ -68,7 +68,7 @@ void AfloatHeightsPass::readHeights(const Inputs& inputs)
         if (side < 0.25f) continue;
         columns[i].top = glm::mix(inputs.highest, inputs.lowest, depthsAbove[i]);
         columns[i].seenFromBelow = glm::mix(inputs.lowest, inputs.highest, depthsBelow[i]);
-        columns[i].underside = side > 0.75f ? columns[i].seenFromBelow : -nothingAfloat;
+        columns[i].underside = side > 0.75f ? columns[i].seenFromBelow : -nothingAboveWater;
     }
     uploadHeights(std::move(columns), above_.size().x);
     rect_ = inputs.rect;
@@ -76,7 +76,7 @@ void AfloatHeightsPass::readHeights(const Inputs& inputs)
     drawn_ = inputs;
 }
 
-void AfloatHeightsPass::uploadHeights(std::vector<Column> columns, int edge)
+void AboveWaterHeightsPass::uploadHeights(std::vector<Column> columns, int resolution)
 {
     const auto floatsOf = [](const std::vector<Column>& level) {
         static_assert(sizeof(Column) == 4 * sizeof(float));
@@ -87,39 +87,39 @@ void AfloatHeightsPass::uploadHeights(std::vector<Column> columns, int edge)
         range.top = std::max(range.top, one.top);
     };
     heights_ = gl::Texture(
-        {.format = gl::Format::rgba32f, .size = ivec2(edge), .mipmaps = true, .filter = gl::Filter::nearest},
-        "heights afloat");
+        {.format = gl::Format::rgba32f, .size = ivec2(resolution), .mipmaps = true, .filter = gl::Filter::nearest},
+        "heights above water");
     heights_.upload(floatsOf(columns));
     for (int level = 1; level < heights_.levels(); ++level) {
-        columns = coarserLevel(columns, edge >> (level - 1), level == 1, Column{}, widen);
+        columns = coarserLevel(columns, resolution >> (level - 1), level == 1, Column{}, widen);
         heights_.upload(floatsOf(columns), 0, 0, level);
     }
 }
 
-const gl::Texture& AfloatHeightsPass::radiance(From from) const
+const gl::Texture& AboveWaterHeightsPass::radiance(From from) const
 {
     if (given_) return from == From::above ? given_->above : given_->below;
     return (from == From::above ? above_ : below_).colour(0);
 }
 
-void AfloatHeightsPass::take(const HeightMapPicture& picture)
+void AboveWaterHeightsPass::take(const HeightMapPicture& picture)
 {
     std::vector<Column> columns;
-    highest_ = -nothingAfloat;
+    highest_ = -nothingAboveWater;
     for (std::size_t i = 0; i < picture.heights.size(); i += 3) {
         columns.push_back({picture.heights[i], picture.heights[i + 1], picture.heights[i + 2]});
         highest_ = std::max(highest_, std::max(columns.back().top, columns.back().seenFromBelow));
     }
-    uploadHeights(std::move(columns), picture.edge);
+    uploadHeights(std::move(columns), picture.resolution);
     rect_ = {picture.centre, 0.5f * picture.extent};
     given_ = Given{mapColour(picture, 0, "heights from above"), mapColour(picture, 1, "heights from below")};
 }
 
-HeightMapPicture AfloatHeightsPass::picture() const
+HeightMapPicture AboveWaterHeightsPass::picture() const
 {
     HeightMapPicture picture;
-    picture.kind = MapKind::afloat;
-    picture.edge = heights_.size().x;
+    picture.kind = MapKind::aboveWater;
+    picture.resolution = heights_.size().x;
     picture.centre = rect_.centre;
     picture.extent = 2.0f * rect_.halfExtent;
     const std::vector<float> columns = heights_.readBack();

@@ -15,7 +15,7 @@
 namespace tarn {
 
 /// Remembers the key that something was last drawn from.
-template <typename Key> class LastDrawn {
+template <typename Key> class CachedKey {
 public:
     bool isFrom(const Key& key) const { return last_ && *last_ == key; }
     /// True when it holds what this key makes; else it must be drawn, now.
@@ -33,7 +33,7 @@ private:
 };
 
 /// All that a picture depends on beside the scene.
-struct Moment {
+struct FrameKey {
     Options options;
     WaterBody water;
     Camera camera;
@@ -42,11 +42,11 @@ struct Moment {
     DebugView view = DebugView::final;
     std::size_t rebuilt = 0; ///< programs, because their files were edited
     int sample = 0;          ///< of those that are averaged
-    bool operator==(const Moment&) const = default;
+    bool operator==(const FrameKey&) const = default;
 };
 
 /// @param rebuilt gl::ShaderLibrary::rebuilt()
-Moment momentOf(const FrameInput& input, const Options& options, const WaterBody& water, std::size_t rebuilt);
+FrameKey frameKeyOf(const FrameInput& input, const Options& options, const WaterBody& water, std::size_t rebuilt);
 
 /// What the caustics depend on beside the scene and the options.
 struct CausticsKey {
@@ -57,10 +57,10 @@ struct CausticsKey {
     bool operator==(const CausticsKey& other) const;
 };
 
-class Kept {
+class FrameCache {
 public:
     /// True when the picture of the last frame is this one's. Else it, and endFrame() after it, must be drawn.
-    bool beginFrame(const Moment& moment, const PlanOptions& rules, bool mayKeepFrame);
+    bool beginFrame(const FrameKey& moment, const PlanOptions& rules, bool mayKeepFrame);
     void endFrame();
 
     /// Whether the pass's map may stay; it is noted. @param holds what this frame needs
@@ -89,7 +89,7 @@ public:
 
 private:
     struct TargetKey {
-        Moment moment; ///< its time and sample 0, its view the final one
+        FrameKey moment; ///< its time and sample 0, its view the final one
         WaterSide side = WaterSide::above;
         TargetBounds bounds;
         bool hasCaustics = false;
@@ -108,11 +108,11 @@ private:
     UpdateInterval& intervalOf(PassId pass);
     UpdateState stateFor(const Camera& camera, WaterSide side) const;
 
-    Moment moment_; ///< of this frame
+    FrameKey moment_; ///< of this frame
     PlanOptions rules_;
-    LastDrawn<Moment> frame_;
-    LastDrawn<MapKey> caustics_;
-    LastDrawn<TargetKey> refraction_, reflection_;
+    CachedKey<FrameKey> frame_;
+    CachedKey<MapKey> caustics_;
+    CachedKey<TargetKey> refraction_, reflection_;
     std::size_t causticsDrawn_ = 0; ///< so far
     std::string noted_;
     // By how many frames each is drawn before the next, so that they take turns.

@@ -3,7 +3,7 @@
 
 #include "optics/blocks.h"
 #include "plan/options.h"
-#include "plan/sight.h"
+#include "plan/visibility_facts.h"
 #include "scene/scene.h"
 
 #include <vector>
@@ -21,7 +21,8 @@ std::vector<SceneBox> listBoxes(const Scene& scene);
 
 /// For an eye above the water; what an eye under it sees, no rule asks for.
 /// @param size of the picture, pixels   @param light of the frame (render/frame_light.h)
-Sight lookAround(const std::vector<SceneBox>& boxes, const Scene& scene, const WaterBody& water, const Camera& camera,
-                 ivec2 size, const Options& options, const blocks::FrameBlock& light);
+VisibilityFacts gatherVisibility(const std::vector<SceneBox>& boxes, const Scene& scene, const WaterBody& water,
+                                 const Camera& camera, ivec2 size, const Options& options,
+                                 const blocks::FrameBlock& light);
 
 } // namespace tarn

@@ -7,23 +7,23 @@
 #include "optics/blocks.h"
 #include "plan/frame_plan.h"
 #include "render/frame.h"
-#include "render/kept.h"
-#include "render/scene_painter.h"
+#include "render/frame_cache.h"
+#include "render/scene_renderer.h"
 
 #include <vector>
 
 namespace tarn {
 
-struct Drawing {
+struct FrameContext {
     gl::Profiler& profiler;
-    ScenePainter& painter;
+    SceneRenderer& sceneRenderer;
     gl::UniformBuffer<blocks::ViewBlock> viewBlock;
-    Kept kept;
+    FrameCache cache;
     FrameStats stats;
     bool checking = false;
     std::vector<BadPixels> bad;
 
-    Drawing(gl::Profiler& profiler, ScenePainter& painter);
+    FrameContext(gl::Profiler& profiler, SceneRenderer& sceneRenderer);
 
     const FramePlan& plan() const { return stats.plan; }
 
