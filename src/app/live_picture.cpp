@@ -125,7 +125,7 @@ void LivePicture::adopt(const FrameThread& thread, bool full)
 {
     isFull_ = full;
     ++pictures_;
-    report_ = thread.report();
+    delivery_ = thread.delivery();
     if (picture_ != thread.picture()) {
         picture_ = thread.picture();
         source_ = gl::Framebuffer("picture to be shown", {*picture_});

@@ -44,7 +44,7 @@ public:
     bool hasPicture() const { return picture_ != nullptr; }
     /// The picture is the renderer's.
     bool isFull() const { return isFull_; }
-    const FrameReport& report() const { return report_; }
+    const FrameDelivery& delivery() const { return delivery_; }
     /// How many pictures were taken.
     int pictures() const { return pictures_; }
     /// Requests that the renderer has drawn, those whose picture had not changed among them.
@@ -80,7 +80,7 @@ private:
 
     std::shared_ptr<const gl::Texture> picture_;
     gl::Framebuffer source_; ///< of picture_, in this thread's context
-    FrameReport report_;
+    FrameDelivery delivery_;
     bool isFull_ = false;
     int pictures_ = 0;
 

@@ -1,9 +1,39 @@
 #include "app/plan_report.h"
 
+#include "render/pass_interface.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace tarn {
+
+namespace {
+
+/// "sunlight, caustics": whose output a pass reads.
+std::string namesReadBy(PassId pass, const FramePlan& plan)
+{
+    std::string names;
+    for (const PassId other : readBy(pass, plan)) names += (names.empty() ? "" : ", ") + std::string(passName(other));
+    return names;
+}
+
+/// The plan with what came of it.
+FramePlan outcome(const FrameReport& report)
+{
+    FramePlan plan = report.plan;
+    plan.rules = report.rules;
+    for (std::size_t i = 0; i < passCount; ++i)
+        if (report.reused[i])
+            plan.passes[i].reason +=
+                fmt::format(" ({}.interval: an earlier frame's)", passName(static_cast<PassId>(i)));
+    return plan;
+}
+
+} // namespace
+
+nlohmann::json toJson(const FrameReport& report) { return toJson(outcome(report)); }
+
+std::string toTable(const FrameReport& report) { return toTable(outcome(report)); }
 
 nlohmann::json toJson(const FramePlan& plan)
 {
@@ -14,7 +44,7 @@ nlohmann::json toJson(const FramePlan& plan)
             {"name", passName(static_cast<PassId>(i))}, {"wanted", pass.wanted}, {"reason", pass.reason}};
         if (pass.wanted) {
             entry["size"] = {pass.size.x, pass.size.y};
-            entry["reads"] = pass.dependsOn;
+            entry["reads"] = namesReadBy(static_cast<PassId>(i), plan);
         }
         passes.push_back(std::move(entry));
     }
@@ -43,7 +73,8 @@ std::string toTable(const FramePlan& plan)
         const std::string size = pass.wanted ? fmt::format("{}x{}", pass.size.x, pass.size.y) : "";
         text += fmt::format("{:<12}{:<5}{:<12}{}", passName(static_cast<PassId>(i)), pass.wanted ? "yes" : "no", size,
                             pass.reason);
-        if (!pass.dependsOn.empty()) text += fmt::format(" (reads {})", pass.dependsOn);
+        const std::string reads = namesReadBy(static_cast<PassId>(i), plan);
+        if (!reads.empty()) text += fmt::format(" (reads {})", reads);
         text += '\n';
     }
     text += "\nwhat is left out\n";

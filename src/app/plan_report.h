@@ -1,7 +1,7 @@
 // A frame's plan for people and for programs.
 #pragma once
 
-#include "plan/frame_plan.h"
+#include "render/frame.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -10,7 +10,11 @@
 namespace tarn {
 
 nlohmann::json toJson(const FramePlan& plan);
-/// One line a pass: its name, yes or no, the size of its target, and why.
+/// One line a pass: its name, yes or no, the size of its target, why, and whose output it reads.
 std::string toTable(const FramePlan& plan);
+
+/// The same of a frame that was drawn, with what came of the plan.
+nlohmann::json toJson(const FrameReport& report);
+std::string toTable(const FrameReport& report);
 
 } // namespace tarn

@@ -108,15 +108,15 @@ std::vector<std::filesystem::path> writePictures(const Renderer& renderer, const
     return files;
 }
 
-nlohmann::json statsJson(const FrameStats& stats, const Shot& shot, const std::vector<std::filesystem::path>& files)
+nlohmann::json reportJson(const FrameReport& report, const Shot& shot, const std::vector<std::filesystem::path>& files)
 {
     std::vector<std::string> names;
     for (const std::filesystem::path& file : files) names.push_back(file.string());
-    nlohmann::json json{{"file", names.front()},          {"files", names},
-                        {"camera", shot.camera.name},     {"time", shot.time},
-                        {"triangles", stats.triangles()}, {"passes", nlohmann::json::array()},
-                        {"plan", toJson(stats.plan)}};
-    for (const FrameStats::Pass& pass : stats.passes)
+    nlohmann::json json{{"file", names.front()},           {"files", names},
+                        {"camera", shot.camera.name},      {"time", shot.time},
+                        {"triangles", report.triangles()}, {"passes", nlohmann::json::array()},
+                        {"plan", toJson(report)}};
+    for (const FrameReport::Pass& pass : report.passes)
         json["passes"].push_back({{"name", pass.name}, {"triangles", pass.triangles}, {"draw_calls", pass.drawCalls}});
     return json;
 }
@@ -146,10 +146,10 @@ void run(const RenderCommand& command)
         const Shot& shot = shots[i];
         progress.report(static_cast<double>(i) / static_cast<double>(shots.size()),
                         "rendering " + shot.file.filename().string());
-        const FrameStats& stats = renderer.render({shot.camera, shot.time, command.view.size, command.debugView});
+        const FrameReport& report = renderer.render({shot.camera, shot.time, command.view.size, command.debugView});
         if (command.check) requireClean(renderer, shot);
         const auto files = writePictures(renderer, command, sceneSetup, shot);
-        json["frames"].push_back(statsJson(stats, shot, files));
+        json["frames"].push_back(reportJson(report, shot, files));
         written.insert(written.end(), files.begin(), files.end());
     }
     writeJson(command.json, json);

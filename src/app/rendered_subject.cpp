@@ -40,10 +40,10 @@ void RenderedSubject::prepare(int index, bool followsItself)
 void RenderedSubject::draw(int index)
 {
     drawAt(index);
-    plan_ = stats_->plan;
+    plan_ = report_->plan;
     if (!std::exchange(isMeasured_, false)) return;
     ++measuredFrames_;
-    for (std::size_t i = 0; i < ruleCount; ++i) ruleFrames_[i] += stats_->plan.rules[i].applies ? 1 : 0;
+    for (std::size_t i = 0; i < ruleCount; ++i) ruleFrames_[i] += report_->rules[i].applies ? 1 : 0;
 }
 
 void RenderedSubject::drawAt(double index)
@@ -51,7 +51,7 @@ void RenderedSubject::drawAt(double index)
     session_.renderer().setOptions(settings_.options, settings_.water);
     const Camera camera =
         view_.flight.empty() ? view_.camera : flightCamera(view_.flight, index / std::max(view_.frames - 1, 1));
-    stats_ = &session_.renderer().render({camera, view_.time + index * secondsPerFrame, view_.size});
+    report_ = &session_.renderer().render({camera, view_.time + index * secondsPerFrame, view_.size});
     finishGpu();
 }
 
@@ -68,8 +68,8 @@ std::vector<BenchPass> RenderedSubject::drawPasses(int index)
 
 std::uint64_t RenderedSubject::triangles(const std::string& pass) const
 {
-    for (const FrameStats::Pass& stats : stats_->passes)
-        if (stats.name == pass) return stats.triangles;
+    for (const FrameReport::Pass& drawn : report_->passes)
+        if (drawn.name == pass) return drawn.triangles;
     return 0;
 }
 

@@ -54,7 +54,7 @@ private:
     Session& session_;
     Settings settings_;
     const SubjectView& view_;
-    const FrameStats* stats_ = nullptr;
+    const FrameReport* report_ = nullptr;
     FramePlan plan_;
     bool isMeasured_ = false; ///< the next frame that draw() draws
     std::array<int, ruleCount> ruleFrames_{};

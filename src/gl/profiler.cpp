@@ -68,6 +68,7 @@ void Profiler::beginFrame()
     // A frame that an exception cut short is dropped, and so is one whose results have not come in a whole
     // round.
     if (inFrame_ && capabilities().debug) glPopDebugGroup();
+    open_.clear();
     current_ = (current_ + 1) % framesInFlight;
     frames_[current_].used = 0;
     frames_[current_].pending = false;
@@ -94,6 +95,7 @@ void Profiler::endFrame()
 
 std::size_t Profiler::begin(std::string_view name)
 {
+    open_.emplace_back(name);
     if (synchronous_) glFinish();
     if (capabilities().debug) {
         glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, static_cast<GLsizei>(name.size()), name.data());
@@ -112,6 +114,7 @@ std::size_t Profiler::begin(std::string_view name)
 
 void Profiler::end(std::size_t index)
 {
+    if (!open_.empty()) open_.pop_back();
     const bool isTimed = index != noRecord && inFrame_ && index < frames_[current_].used;
     if (isTimed) stamp(frames_[current_].records[index].end, "profiler end");
     if (synchronous_) glFinish();

@@ -36,6 +36,9 @@ public:
     void setSynchronous(bool on) { synchronous_ = on; }
     bool isSynchronous() const { return synchronous_; }
 
+    /// The pass that is being drawn, the innermost; "frame" between passes.
+    std::string_view openPass() const { return open_.empty() ? std::string_view() : open_.back(); }
+
     /// The newest frame whose results are all in: its passes in the order they began (those of one name added
     /// up), the whole frame first under the name "frame". Empty at first.
     const std::vector<PassTime>& latest() const { return latest_; }
@@ -63,6 +66,7 @@ private:
     std::size_t current_ = 0;
     bool inFrame_ = false;
     bool synchronous_ = false;
+    std::vector<std::string> open_;
     std::vector<PassTime> latest_;
 };
 

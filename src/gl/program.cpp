@@ -255,13 +255,27 @@ void Program::upload(Slot& s) const
     }
 }
 
+namespace {
+
+std::function<void(const Texture&)>& textureObserver()
+{
+    thread_local std::function<void(const Texture&)> observer;
+    return observer;
+}
+
+} // namespace
+
+void observeTextures(std::function<void(const Texture&)> observer) { textureObserver() = std::move(observer); }
+
 void Program::texture(std::string_view samplerName, const Texture& texture)
 {
     const std::optional<int> unit = samplerUnit(samplerName);
-    if (unit)
-        texture.bind(*unit);
-    else
+    if (!unit) {
         noteMissing("sampler", samplerName);
+        return;
+    }
+    texture.bind(*unit);
+    if (textureObserver()) textureObserver()(texture);
 }
 
 std::optional<int> Program::samplerUnit(std::string_view samplerName) const

@@ -58,6 +58,10 @@ struct FirstUses {
     std::function<bool(const Program&)> next; ///< called before it; when the answer is false, the use does not count
 };
 
+/// Called with every texture that a program of this thread is given, so that tests can hold what passes read against
+/// what they declare. Empty: none.
+void observeTextures(std::function<void(const Texture&)> observer);
+
 class Program {
 public:
     ~Program();

@@ -112,12 +112,9 @@ bool overWaterRect(const WaterBody& water, const vec3& pointW)
            std::abs(pointW.z - water.centre.y) <= 0.5f * water.extent.y;
 }
 
-PassPlan wanted(std::string reason, ivec2 size, std::string dependsOn)
-{
-    return {true, std::move(reason), size, std::move(dependsOn)};
-}
+PassPlan wanted(std::string reason, ivec2 size) { return {true, std::move(reason), size}; }
 
-PassPlan unwanted(std::string reason) { return {false, std::move(reason), ivec2(0), ""}; }
+PassPlan unwanted(std::string reason) { return {false, std::move(reason), ivec2(0)}; }
 
 /// Why no water is drawn, or nothing when it is.
 std::string whyNoWater(const WaterBody& water, const Options& options)
@@ -163,9 +160,9 @@ std::string whyNoCaustics(const Scene& scene, const FramePlan& plan, const std::
 void planSunlight(FramePlan& plan, const Scene& scene, const std::string& noWater, const Options& options)
 {
     const std::string noCaustics = whyNoCaustics(scene, plan, noWater, options);
-    plan[PassId::caustics] = noCaustics.empty() ? wanted("the waves gather the sun's light on the bed",
-                                                         ivec2(options.caustics.textureSize), "sunlight")
-                                                : unwanted(noCaustics);
+    plan[PassId::caustics] =
+        noCaustics.empty() ? wanted("the waves gather the sun's light on the bed", ivec2(options.caustics.textureSize))
+                           : unwanted(noCaustics);
     std::string noSunlight = whyNoSun(scene);
     if (noSunlight.empty() && !options.sunlight.shadows && !noCaustics.empty())
         noSunlight = "sunlight.shadows is off, and no caustics need the bed's depth";
@@ -173,7 +170,7 @@ void planSunlight(FramePlan& plan, const Scene& scene, const std::string& noWate
                                  ? wanted(options.sunlight.shadows ? "the sun casts shadows; drawn when scene, sun or "
                                                                      "water changed"
                                                                    : "photons need the bed's depth along the sun",
-                                          ivec2(options.sunlight.mapSize), "")
+                                          ivec2(options.sunlight.mapSize))
                                  : unwanted(noSunlight);
 }
 
@@ -215,20 +212,21 @@ void planHeights(FramePlan& plan, const Options& options, const SceneMaps& maps)
     const HeightMapPicture* const bed = plan.raycastsBed && maps.bed.picture ? &*maps.bed.picture : nullptr;
     const HeightMapPicture* const aboveWater =
         plan.raycastsMirror && maps.aboveWater.picture ? &*maps.aboveWater.picture : nullptr;
-    const bool drawsBed = plan.raycastsBed && !bed, drawsAboveWater = plan.raycastsMirror && !aboveWater;
+    plan.drawsBedMap = plan.raycastsBed && !bed;
+    plan.drawsAboveWaterMap = plan.raycastsMirror && !aboveWater;
+    const bool draws = plan.drawsBedMap || plan.drawsAboveWaterMap;
     std::string reason = plan.raycastsBed && plan.raycastsMirror
                              ? "rays are marched through the bed and what stands over the water"
                          : plan.raycastsBed ? "refracted rays are marched through the bed"
                                             : "mirrored rays are marched through what stands over the water";
-    int resolution = drawsBed || drawsAboveWater ? options.heights.mapSize : 0;
+    int resolution = draws ? options.heights.mapSize : 0;
     for (const HeightMapPicture* given : {bed, aboveWater})
         if (given) {
             reason += fmt::format("; {} gives the map '{}'", given->file.filename().string(), mapName(given->kind));
             resolution = std::max(resolution, given->resolution);
         }
-    if (drawsBed || drawsAboveWater) reason += "; drawn when scene, sun or water changed";
-    plan[PassId::heights] = wanted(std::move(reason), ivec2(resolution),
-                                   drawsAboveWater && plan[PassId::sunlight].wanted ? "sunlight" : "");
+    if (draws) reason += "; drawn when scene, sun or water changed";
+    plan[PassId::heights] = wanted(std::move(reason), ivec2(resolution));
 }
 
 /// Which maps of heights are marched through, and with them the target of either kind: seen from above a map takes its
@@ -251,25 +249,25 @@ void planWaterLookups(FramePlan& plan, const Options& options, const SceneMaps& 
     if (!refraction.enabled)
         plan[PassId::refraction] = unwanted("refraction.enabled is off: the water shows its own colour");
     else if (!plan.targetsBed)
-        plan[PassId::refraction] = fromBelow ? wanted("from below, what stands over the water", refractionSize, "")
+        plan[PassId::refraction] = fromBelow ? wanted("from below, what stands over the water", refractionSize)
                                              : unwanted("the bed is found in its map of heights");
     else
         plan[PassId::refraction] =
             wanted(chosen("the bed under the surface", "both the bed and, from below, what stands over the water",
                           "what stands over the water, seen from below"),
-                   refractionSize, "");
+                   refractionSize);
     if (!options.water.reflects)
         plan[PassId::reflection] = unwanted("water.reflects is off: the surface shows only what is refracted");
     else if (!reflection.enabled)
         plan[PassId::reflection] = unwanted("reflection.enabled is off: the water mirrors the sky alone");
     else if (!plan.targetsMirror)
-        plan[PassId::reflection] = fromBelow ? wanted("from below, the bed mirrored in the surface", reflectionSize, "")
+        plan[PassId::reflection] = fromBelow ? wanted("from below, the bed mirrored in the surface", reflectionSize)
                                              : unwanted("what is mirrored is found in its map of heights");
     else
         plan[PassId::reflection] =
             wanted(chosen("what the surface mirrors", "what the surface mirrors, from above and from below",
                           "the bed mirrored in the surface from below"),
-                   reflectionSize, "");
+                   reflectionSize);
     planHeights(plan, options, maps);
     const auto explain = [&](PassId pass, const LookupChoice& choice) {
         if (fromAbove && !choice.why.empty()) plan[pass].reason += " (" + choice.why + ")";
@@ -291,9 +289,9 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
                     ivec2 size, double time, const DepthComplexity* complexity, const VisibilityFacts* visibility)
 {
     FramePlan plan;
-    plan[PassId::scene] = wanted("what the eye sees, without the water", scaledSize(size, options.frame), "");
+    plan[PassId::scene] = wanted("what the eye sees, without the water", scaledSize(size, options.frame));
     plan[PassId::present] = wanted(presentReason(options.stereo.output) + finishing(size, options.frame),
-                                   presentedSize(size, options.stereo.output), "scene, water");
+                                   presentedSize(size, options.stereo.output));
 
     plan.underwater = water.present && options.water.enabled && options.underwater.enabled &&
                       overWaterRect(water, camera.eye) &&
@@ -323,18 +321,14 @@ FramePlan planFrame(const Scene& scene, const WaterBody& water, const Camera& ca
     plan[PassId::water] =
         wanted(bySide("the surface is in the view", "the surface cuts the near plane: drawn from both sides",
                       "the surface seen from below"),
-               scaledSize(size, options.frame), "scene");
+               scaledSize(size, options.frame));
     const HeightMapPicture* const givenBed = scene.maps.bed.picture ? &*scene.maps.bed.picture : nullptr;
     planWaterLookups(plan, options, scene.maps, chooseRefraction(options, water, camera, size, complexity, givenBed),
                      chooseReflection(options, complexity));
     const std::string noGlow = whyNoGlow(scene, plan, options);
     plan[PassId::glow] =
-        noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options), "water") : unwanted(noGlow);
+        noGlow.empty() ? wanted("the sun stands over the water", glowSize(size, options)) : unwanted(noGlow);
     reducePlan(plan, scene, water, camera, options, size, visibility);
-    for (const PassId pass : {PassId::heights, PassId::refraction, PassId::reflection})
-        if (plan[PassId::water].wanted && plan[pass].wanted)
-            plan[PassId::water].dependsOn += std::string(", ") + passName(pass);
-    if (plan[PassId::glow].wanted) plan[PassId::present].dependsOn = "scene, water, glow";
     return plan;
 }
 

@@ -22,9 +22,8 @@ const char* passName(PassId pass);
 
 struct PassPlan {
     bool wanted = false;
-    std::string reason;    ///< why, or why not, in words
-    ivec2 size{0};         ///< of its target, pixels
-    std::string dependsOn; ///< the passes whose targets it reads
+    std::string reason; ///< why, or why not, in words
+    ivec2 size{0};      ///< of its target, pixels
 };
 
 /// Which side of the moving surface a frame shows.
@@ -39,7 +38,8 @@ struct FramePlan {
     bool underwater = false;           ///< the eye is below the water's surface (and underwater.enabled is on)
     WaterSide side = WaterSide::above; ///< of the near plane, where pictures begin
     optics64::WaterGrid waterGrid{};   ///< that draws the surface
-    bool raycastsBed = false, raycastsMirror = false; ///< from above, through which of the maps of heights
+    bool raycastsBed = false, raycastsMirror = false;     ///< from above, through which of the maps of heights
+    bool drawsBedMap = false, drawsAboveWaterMap = false; ///< of those maps, which no file gives
     bool targetsBed = true, targetsMirror = true; ///< from above, in which of the targets; from below it is always both
 
     TargetBounds mirrorBounds; ///< what is drawn of the reflection target; from above

@@ -104,8 +104,9 @@ void visit(FieldVisitor& v, WaterOptions& o)
     v.field(
         {"attenuation_length", "Path at which the linear fade ends in the water's colour alone", "m", 0.01, 10000.0},
         o.attenuationLength);
-    v.field({"sun_roughness", "Deviation of the slope of waves too small to model: width of the sun's glint", "", 0.001,
-             0.5},
+    v.renamed("sun_roughness", "sun_slope_deviation");
+    v.field({"sun_slope_deviation", "Deviation of the slope of waves too small to model: width of the sun's glint", "",
+             0.001, 0.5},
             o.sunSlopeDeviation);
     v.choice({"specular",
               "The sun's image on the surface: the glint of its radiance on waves too small to model, or Lipp's "

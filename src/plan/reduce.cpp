@@ -97,7 +97,7 @@ private:
     void drop(std::initializer_list<PassId> passes, const std::string& reason)
     {
         for (const PassId pass : passes)
-            if (plan_[pass].wanted) plan_[pass] = {false, reason, ivec2(0), ""};
+            if (plan_[pass].wanted) plan_[pass] = {false, reason, ivec2(0)};
         // The bed of an eye in the air is seen through its surface only.
         const bool drawsWater = plan_[PassId::water].wanted;
         if (!drawsWater) plan_.raycastsBed = plan_.raycastsMirror = false;
@@ -109,10 +109,10 @@ private:
     {
         PassPlan& caustics = plan_[PassId::caustics];
         if (!caustics.wanted) return;
-        caustics = {false, reason, ivec2(0), ""};
+        caustics = {false, reason, ivec2(0)};
         if (!options_.sunlight.shadows)
-            plan_[PassId::sunlight] = {false, "sunlight.shadows is off, and no caustics need the bed's depth", ivec2(0),
-                                       ""};
+            plan_[PassId::sunlight] = {false, "sunlight.shadows is off, and no caustics need the bed's depth",
+                                       ivec2(0)};
     }
 
     bool isFromAbove() const { return plan_.side == WaterSide::above; }

@@ -141,7 +141,7 @@ bool DraftRenderer::draw(const FrameRequest& request)
     frame_.bind();
     frame_.drawFramebuffer().clearColour(vec4(0.0f));
     frame_.drawFramebuffer().clearDepth();
-    stats_.passes.clear();
+    report_.passes.clear();
     const bool isWet = light.hasWater > 0.5f;
     const bool underwater = isWet && request.camera.eye.y < request.water.level;
     drawScene(request, view);
@@ -162,7 +162,7 @@ void DraftRenderer::drawScene(const FrameRequest& request, const View& view)
 {
     const DraftScene& shown = placed_->snapshot;
     const std::vector<Material>& materials = shown.scene.materials;
-    FrameStats::Pass& pass = stats_.of("draft");
+    FrameReport::Pass& pass = report_.of("draft");
     int lastState = -1;
     for (const Chunk* chunk : visibleChunks(shown.chunks, materials, view, {}, true, &request.water)) {
         const Material& material = materials[static_cast<std::size_t>(chunk->material)];

@@ -45,7 +45,7 @@ public:
 
     bool draw(const FrameRequest& request) override;
     const gl::Framebuffer& picture() const override { return present_.target().framebuffer(); }
-    FrameReport report() const override { return {stats_, {}, 0.0, ""}; }
+    FrameDelivery delivery() const override { return {report_, {}, 0.0, ""}; }
 
     /// How many programs it has.
     std::size_t programs() const { return shaders_->built(); }
@@ -78,7 +78,7 @@ private:
     gl::FullscreenTriangle triangle_;
     gl::VertexArray rectangle_{"draft water"};
     std::unique_ptr<Placed> placed_;
-    FrameStats stats_;
+    FrameReport report_;
     float scale_ = 1.0f; ///< of the picture's edges to the asked ones
 };
 

@@ -1,15 +1,24 @@
 #include "render/frame.h"
 
+#include <utility>
+
 namespace tarn {
 
-std::size_t FrameStats::triangles() const
+void FrameReport::begin(FramePlan planned)
+{
+    plan = std::move(planned);
+    rules = plan.rules;
+    reused.fill(false);
+}
+
+std::size_t FrameReport::triangles() const
 {
     std::size_t sum = 0;
     for (const Pass& pass : passes) sum += pass.triangles;
     return sum;
 }
 
-FrameStats::Pass& FrameStats::of(const std::string& name)
+FrameReport::Pass& FrameReport::of(const std::string& name)
 {
     for (Pass& pass : passes)
         if (pass.name == name) return pass;

@@ -5,6 +5,7 @@
 #include "render/debug_view.h"
 #include "scene/camera.h"
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <string>
@@ -32,15 +33,26 @@ struct FrameInput {
 /// Nobody waits for the frame any more. What the renderer shows is undefined until the next one.
 struct FrameAbandoned {};
 
-/// What a frame did. Valid until the next one.
-struct FrameStats {
+/// What a frame did: the plan as it was made, and what came of it. Valid until the next frame.
+struct FrameReport {
     FramePlan plan; ///< in stereo the right eye's
+    /// The plan's rules; of those that the renderer applies, with what came of them.
+    RuleStates rules;
+    /// By PassId: passes whose target an earlier frame drew (refraction.interval and the like).
+    std::array<bool, passCount> reused{};
     struct Pass {
         std::string name;
         std::size_t triangles = 0;
         std::size_t drawCalls = 0;
     };
     std::vector<Pass> passes; ///< in the order they began; both eyes' added up
+
+    /// Of an eye whose drawing begins.
+    void begin(FramePlan planned);
+    RuleState& rule(RuleId id) { return rules[static_cast<std::size_t>(id)]; }
+    const RuleState& rule(RuleId id) const { return rules[static_cast<std::size_t>(id)]; }
+    void noteReused(PassId pass) { reused[static_cast<std::size_t>(pass)] = true; }
+    bool isReused(PassId pass) const { return reused[static_cast<std::size_t>(pass)]; }
     std::size_t triangles() const;
     /// The pass of a name, added where there is none.
     Pass& of(const std::string& name);

@@ -3,7 +3,6 @@
 #include "render/frame_light.h"
 
 #include <cstring>
-#include <utility>
 
 namespace tarn {
 
@@ -20,104 +19,95 @@ bool CausticsKey::operator==(const CausticsKey& other) const
            std::memcmp(&waves, &other.waves, sizeof waves) == 0;
 }
 
-bool FrameCache::beginFrame(const FrameKey& moment, const PlanOptions& rules, bool mayKeepFrame)
+void FrameCache::beginFrame(const FrameKey& key)
 {
-    const bool isSequel =
-        moment.options == moment_.options && moment.water == moment_.water && moment.size == moment_.size;
+    const bool isSequel = key.options == key_.options && key.water == key_.water && key.size == key_.size;
     if (!isSequel) {
         drawnFrames_ = 0;
-        for (UpdateInterval* interval : {&causticsInterval_, &refractionInterval_, &reflectionInterval_})
-            interval->forget();
+        for (UpdateInterval& interval : intervals_) interval.forget();
     }
-    moment_ = moment;
-    rules_ = rules;
-    noted_.clear();
+    key_ = key;
     isAnyStale_ = false;
-    if (mayKeepFrame && rules.allows(RuleId::keepFrame) && frame_.isFrom(moment)) return true;
     ++drawnFrames_;
-    return false;
 }
 
 void FrameCache::endFrame()
 {
-    frame_.holds(moment_);
-    if (isAnyStale_) frame_.forget(); // a picture that comes to rest is drawn until all of it is of its moment
+    if (isAnyStale_) // a picture that comes to rest is drawn until all of it is of its own time and camera
+        frame_.forget();
+    else
+        frame_.set(key_);
 }
 
-UpdateInterval& FrameCache::intervalOf(PassId pass)
+std::size_t FrameCache::indexOf(PassId pass)
 {
-    return pass == PassId::caustics     ? causticsInterval_
-           : pass == PassId::refraction ? refractionInterval_
-                                        : reflectionInterval_;
+    return pass == PassId::caustics ? 2 : pass == PassId::refraction ? 1 : 0;
 }
 
 UpdateState FrameCache::stateFor(const Camera& camera, WaterSide side) const
 {
-    return {moment_.options, moment_.water, camera, moment_.time, moment_.size, moment_.rebuilt, side, causticsDrawn_};
+    return {key_.options, key_.water, camera, key_.time, key_.size, key_.rebuilt, side, causticsDrawn_};
 }
 
-bool FrameCache::isUsedAgain(PassId pass, const Camera& camera, WaterSide side)
+bool FrameCache::mayReuse(PassId pass, const Camera& camera, WaterSide side) const
 {
-    const Options& options = moment_.options;
+    const Options& options = key_.options;
     const int interval = pass == PassId::caustics     ? options.caustics.interval
                          : pass == PassId::refraction ? options.refraction.interval
                                                       : options.reflection.interval;
-    if (interval == 1 || !rules_.enabled || (pass != PassId::caustics && options.stereo.isOn())) return false;
-    const UpdateState now = stateFor(camera, side);
-    const bool isUsed = intervalOf(pass).serves(now, drawnFrames_, interval);
-    isAnyStale_ = isAnyStale_ || (isUsed && intervalOf(pass).isStale(now));
-    return isUsed;
+    if (interval == 1 || !options.plan.enabled || (pass != PassId::caustics && options.stereo.isOn())) return false;
+    return intervalOf(pass).serves(stateFor(camera, side), drawnFrames_, interval);
 }
 
-bool FrameCache::keeps(RuleId rule, PassId pass, bool holds)
+void FrameCache::noteReuse(PassId pass, const Camera& camera, WaterSide side)
 {
-    if (!holds || !rules_.allows(rule)) return false;
-    noted_ += (noted_.empty() ? "" : ", ") + std::string(passName(pass));
-    return true;
+    isAnyStale_ = isAnyStale_ || intervalOf(pass).isStale(stateFor(camera, side));
 }
 
-bool FrameCache::caustics(CausticsKey key)
+FrameCache::CausticsFrameKey FrameCache::keyOf(CausticsKey key) const
 {
     key.light = lastingLight(key.light);
-    if (totalAmplitude(moment_.water) == 0.0f) key.waves = {};
-    return keeps(RuleId::keepMaps, PassId::caustics,
-                 caustics_.holds({key, moment_.options.caustics, moment_.options.sunlight, moment_.rebuilt}));
+    if (totalAmplitude(key_.water) == 0.0f) key.waves = {};
+    return {std::move(key), key_.options.caustics, key_.options.sunlight, key_.rebuilt};
 }
 
-void FrameCache::causticsWereDrawn()
+bool FrameCache::holdsCaustics(const CausticsKey& key) const { return caustics_.matches(keyOf(key)); }
+
+void FrameCache::causticsWereDrawn(const CausticsKey& key)
 {
+    caustics_.set(keyOf(key));
     ++causticsDrawn_;
-    causticsInterval_.wasDrawn(stateFor(moment_.camera, WaterSide::above), drawnFrames_);
+    intervalOf(PassId::caustics).wasDrawn(stateFor(key_.camera, WaterSide::above), drawnFrames_);
 }
 
-bool FrameCache::target(PassId pass, const Camera& camera, WaterSide side, const TargetBounds& bounds, bool hasCaustics,
-                        bool showsCaustics)
+FrameCache::TargetKey FrameCache::keyOf(const TargetUse& use) const
 {
-    TargetKey key{moment_, side, bounds, hasCaustics, hasCaustics && showsCaustics ? causticsDrawn_ : 0};
-    key.moment.camera = camera;
-    key.moment.time = 0.0;
-    key.moment.sample = 0;
-    key.moment.view = DebugView::final;
-    CachedKey<TargetKey>& last = pass == PassId::refraction ? refraction_ : reflection_;
-    // Cached or drawn: it is what this frame needs.
-    intervalOf(pass).wasDrawn(stateFor(camera, side), drawnFrames_);
-    return keeps(RuleId::keepTargets, pass, last.holds(key));
+    TargetKey key{key_, use.side, use.bounds, use.hasCaustics,
+                  use.hasCaustics && use.showsCaustics ? causticsDrawn_ : 0};
+    key.frame.camera = use.camera;
+    key.frame.time = 0.0;
+    key.frame.sample = 0;
+    key.frame.view = DebugView::final;
+    return key;
 }
 
-void FrameCache::tell(FramePlan& plan, RuleId rule)
+bool FrameCache::holdsTarget(PassId pass, const TargetUse& use) const
 {
-    const std::string noted = std::exchange(noted_, "");
-    if (!rules_.allows(rule)) return; // the plan says so
-    plan.rule(rule) = noted.empty() ? RuleState{false, "nothing is as an earlier frame left it"}
-                                    : RuleState{true, "as an earlier frame left it: " + noted};
+    return (pass == PassId::refraction ? refraction_ : reflection_).matches(keyOf(use));
+}
+
+void FrameCache::targetShows(PassId pass, const TargetUse& use)
+{
+    (pass == PassId::refraction ? refraction_ : reflection_).set(keyOf(use));
+    intervalOf(pass).wasDrawn(stateFor(use.camera, use.side), drawnFrames_);
 }
 
 void FrameCache::forgetTargets()
 {
     refraction_.forget();
     reflection_.forget();
-    refractionInterval_.forget();
-    reflectionInterval_.forget();
+    intervalOf(PassId::refraction).forget();
+    intervalOf(PassId::reflection).forget();
 }
 
 void FrameCache::forget()
@@ -125,7 +115,7 @@ void FrameCache::forget()
     forgetTargets();
     frame_.forget();
     caustics_.forget();
-    causticsInterval_.forget();
+    intervalOf(PassId::caustics).forget();
 }
 
 } // namespace tarn

@@ -1,5 +1,8 @@
-// What of a frame is kept from an earlier one: the picture, the targets and the maps, while what they were drawn from
-// stays as it is (the rules keep_frame, keep_targets and keep_maps).
+// What of a frame is kept from an earlier one: the picture, the targets and the maps, each with the key that it was
+// drawn from (the rules keep_frame, keep_targets and keep_maps), and targets that are drawn in every n-th frame only
+// (refraction.interval and the like).
+//
+// Questions are const; what a frame drew or used is noted by the other functions.
 #pragma once
 
 #include "optics/blocks.h"
@@ -10,26 +13,20 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <utility>
 
 namespace tarn {
 
-/// Remembers the key that something was last drawn from.
+/// The key that something was last drawn from.
 template <typename Key> class CachedKey {
 public:
-    bool isFrom(const Key& key) const { return last_ && *last_ == key; }
-    /// True when it holds what this key makes; else it must be drawn, now.
-    bool holds(const Key& key)
-    {
-        if (isFrom(key)) return true;
-        last_ = key;
-        return false;
-    }
+    bool matches(const Key& key) const { return key_ && *key_ == key; }
+    void set(Key key) { key_ = std::move(key); }
     /// Whatever comes next must be drawn.
-    void forget() { last_.reset(); }
+    void forget() { key_.reset(); }
 
 private:
-    std::optional<Key> last_;
+    std::optional<Key> key_;
 };
 
 /// All that a picture depends on beside the scene.
@@ -53,35 +50,41 @@ struct CausticsKey {
     SunlightPass::Inputs sun;
     CausticsRegion region;
     blocks::FrameBlock light; ///< of the frame
-    blocks::WavesBlock waves; ///< of the moment
+    blocks::WavesBlock waves; ///< at the frame's time
     bool operator==(const CausticsKey& other) const;
+};
+
+/// What the refraction or the reflection target depends on beside the frame's key. Waves move neither.
+struct TargetUse {
+    Camera camera; ///< of the eye that is drawn
+    WaterSide side = WaterSide::above;
+    TargetBounds bounds;        ///< of what is drawn of it
+    bool hasCaustics = false;   ///< the frame has them
+    bool showsCaustics = false; ///< the target may show something that they light
 };
 
 class FrameCache {
 public:
-    /// True when the picture of the last frame is this one's. Else it, and endFrame() after it, must be drawn.
-    bool beginFrame(const FrameKey& moment, const PlanOptions& rules, bool mayKeepFrame);
+    /// Whether the last frame's picture is that of this key.
+    bool holdsFrame(const FrameKey& key) const { return frame_.matches(key); }
+    /// Begins a frame that is drawn.
+    void beginFrame(const FrameKey& key);
     void endFrame();
 
-    /// Whether the pass's map may stay; it is noted. @param holds what this frame needs
-    bool map(PassId pass, bool holds) { return keeps(RuleId::keepMaps, pass, holds); }
-    bool caustics(CausticsKey key);
-    void causticsWereDrawn();
+    bool holdsCaustics(const CausticsKey& key) const;
+    void causticsWereDrawn(const CausticsKey& key);
 
-    /// Whether a pass that is drawn in every n-th frame only (update_interval.h) is not due, so that this frame looks
-    /// up what an earlier one drew, from where that was drawn. refraction, reflection: not for two eyes, whose targets
-    /// are the other's
-    bool isUsedAgain(PassId pass, const Camera& camera, WaterSide side);
-    bool areCausticsUsedAgain() { return isUsedAgain(PassId::caustics, moment_.camera, WaterSide::above); }
+    /// @param pass refraction or reflection
+    bool holdsTarget(PassId pass, const TargetUse& use) const;
+    /// The target shows this now, whether it was drawn or held it.
+    void targetShows(PassId pass, const TargetUse& use);
 
-    /// Whether the refraction or the reflection target may stay; it is noted. Waves move neither.
-    /// @param camera of the eye that is drawn   @param bounds of what is drawn
-    /// @param showsCaustics it may hold something that they light
-    bool target(PassId pass, const Camera& camera, WaterSide side, const TargetBounds& bounds, bool hasCaustics,
-                bool showsCaustics);
-
-    /// Tells the plan what was noted since the last time.
-    void tell(FramePlan& plan, RuleId rule);
+    /// Whether a pass that is drawn in every n-th frame only (update_interval.h) is not due, so that this frame may use
+    /// what an earlier one drew, from where that was drawn. Refraction and reflection: not for two eyes, of which each
+    /// would use the other's targets.
+    bool mayReuse(PassId pass, const Camera& camera, WaterSide side) const;
+    /// This frame does.
+    void noteReuse(PassId pass, const Camera& camera, WaterSide side);
 
     /// What becomes of the targets is not known here.
     void forgetTargets();
@@ -89,36 +92,38 @@ public:
 
 private:
     struct TargetKey {
-        FrameKey moment; ///< its time and sample 0, its view the final one
+        FrameKey frame; ///< its time and sample 0, its view the final one
         WaterSide side = WaterSide::above;
         TargetBounds bounds;
         bool hasCaustics = false;
         std::size_t causticsDrawn = 0; ///< so far, where the target shows any
         bool operator==(const TargetKey&) const = default;
     };
-    struct MapKey {
+    struct CausticsFrameKey {
         CausticsKey caustics;
         CausticsOptions options;
         SunlightOptions sunlight;
         std::size_t rebuilt = 0;
-        bool operator==(const MapKey&) const = default;
+        bool operator==(const CausticsFrameKey&) const = default;
     };
 
-    bool keeps(RuleId rule, PassId pass, bool holds);
-    UpdateInterval& intervalOf(PassId pass);
+    CausticsFrameKey keyOf(CausticsKey key) const;
+    TargetKey keyOf(const TargetUse& use) const;
+    UpdateInterval& intervalOf(PassId pass) { return intervals_[indexOf(pass)]; }
+    const UpdateInterval& intervalOf(PassId pass) const { return intervals_[indexOf(pass)]; }
+    static std::size_t indexOf(PassId pass);
     UpdateState stateFor(const Camera& camera, WaterSide side) const;
 
-    FrameKey moment_; ///< of this frame
-    PlanOptions rules_;
+    FrameKey key_; ///< of this frame
     CachedKey<FrameKey> frame_;
-    CachedKey<MapKey> caustics_;
+    CachedKey<CausticsFrameKey> caustics_;
     CachedKey<TargetKey> refraction_, reflection_;
     std::size_t causticsDrawn_ = 0; ///< so far
-    std::string noted_;
-    // By how many frames each is drawn before the next, so that they take turns.
-    UpdateInterval causticsInterval_{2}, refractionInterval_{1}, reflectionInterval_{0};
+    /// Of reflection, refraction and caustics. By how many frames each is drawn before the next, so that they take
+    /// turns.
+    std::array<UpdateInterval, 3> intervals_{UpdateInterval{0}, UpdateInterval{1}, UpdateInterval{2}};
     std::uint64_t drawnFrames_ = 0; ///< of these options
-    bool isAnyStale_ = false;       ///< of what this frame looks up
+    bool isAnyStale_ = false;       ///< of what this frame uses
 };
 
 } // namespace tarn

@@ -11,10 +11,20 @@ FrameContext::FrameContext(gl::Profiler& p, SceneRenderer& s)
     : profiler(p), sceneRenderer(s), viewBlock(static_cast<int>(BlockIndex::view), "view block")
 {}
 
-FrameStats::Pass& FrameContext::beginPass(PassId pass, const View& view, ivec2 size)
+FrameReport::Pass& FrameContext::beginPass(PassId pass, const View& view, ivec2 size)
 {
     viewBlock.update(tarn::viewBlock(view, size));
-    return stats.of(passName(pass));
+    return report.of(passName(pass));
+}
+
+void FrameContext::reportKept(RuleId rule, const PlanOptions& rules)
+{
+    const std::vector<PassId> kept = std::exchange(kept_, {});
+    if (!rules.allows(rule)) return; // the plan says so
+    std::string names;
+    for (const PassId pass : kept) names += (names.empty() ? "" : ", ") + std::string(passName(pass));
+    report.rule(rule) = names.empty() ? RuleState{false, "nothing is as an earlier frame left it"}
+                                      : RuleState{true, "as an earlier frame left it: " + names};
 }
 
 void FrameContext::check(PassId pass, const gl::Target& target)

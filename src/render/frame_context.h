@@ -19,18 +19,24 @@ struct FrameContext {
     SceneRenderer& sceneRenderer;
     gl::UniformBuffer<blocks::ViewBlock> viewBlock;
     FrameCache cache;
-    FrameStats stats;
+    FrameReport report;
     bool checking = false;
     std::vector<BadPixels> bad;
 
     FrameContext(gl::Profiler& profiler, SceneRenderer& sceneRenderer);
 
-    const FramePlan& plan() const { return stats.plan; }
-
     /// Makes a view the one that is drawn, into a target of `size` pixels.
-    FrameStats::Pass& beginPass(PassId pass, const View& view, ivec2 size);
+    FrameReport::Pass& beginPass(PassId pass, const View& view, ivec2 size);
     /// Looks for values that no target may hold, if the frame is to be checked.
     void check(PassId pass, const gl::Target& target);
+
+    /// A rule let a pass stay as an earlier frame left it.
+    void noteKept(PassId pass) { kept_.push_back(pass); }
+    /// Tells the report what was noted since the last time.
+    void reportKept(RuleId rule, const PlanOptions& rules);
+
+private:
+    std::vector<PassId> kept_;
 };
 
 } // namespace tarn

@@ -28,8 +28,9 @@ struct FrameRequest {
     bool operator==(const FrameRequest&) const = default;
 };
 
-struct FrameReport {
-    FrameStats stats;
+/// What a drawn frame comes with.
+struct FrameDelivery {
+    FrameReport report;
     std::vector<gl::PassTime> passes;
     double milliseconds = 0.0; ///< that the thread spent on drawing it
     std::string shaderError;   ///< "file:line: message", or ""
@@ -46,7 +47,7 @@ public:
     virtual bool draw(const FrameRequest& request) = 0;
     /// What the last draw() made, as shown.
     virtual const gl::Framebuffer& picture() const = 0;
-    virtual FrameReport report() const = 0;
+    virtual FrameDelivery delivery() const = 0;
     enum class Ahead { nothing, more, later };
     /// A small piece of work that can wait until a frame is delivered. Says whether there is more, or will be.
     virtual Ahead workAhead() { return Ahead::nothing; }

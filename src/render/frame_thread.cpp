@@ -43,7 +43,7 @@ bool FrameThread::take()
     if (!finished_ || !finished_->drawn.passed()) return false;
     if (front_) front_->shown.place();
     front_ = std::exchange(finished_, nullptr);
-    shownReport_ = std::move(front_->report);
+    shownDelivery_ = std::move(front_->delivery);
     changed_.notify_all();
     return true;
 }
@@ -145,11 +145,11 @@ void FrameThread::deliver(const FrameSource& source, std::chrono::steady_clock::
     }
     back->shown.holdBack();
     picture.blitTo(back->target, {});
-    back->report = source.report();
+    back->delivery = source.delivery();
     back->drawn.place();
     if (gl::capabilities().llvmpipe) back->drawn.wait(); // else who shows it would poll, on the cores that draw
     const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-    back->report.milliseconds = spent.count();
+    back->delivery.milliseconds = spent.count();
     const std::lock_guard lock(mutex_);
     finished_ = back;
 }

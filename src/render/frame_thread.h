@@ -73,7 +73,7 @@ public:
     bool isPending() const;
     /// Null before the first take().
     std::shared_ptr<const gl::Texture> picture() const { return front_ ? front_->texture : nullptr; }
-    const FrameReport& report() const { return shownReport_; } ///< of picture()
+    const FrameDelivery& delivery() const { return shownDelivery_; } ///< of picture()
     /// The source had nothing left to do ahead when it last had the time.
     bool isIdle() const { return idle_; }
     /// Requests that have been drawn, those whose picture had not changed among them.
@@ -84,7 +84,7 @@ private:
         std::shared_ptr<gl::Texture> texture;
         gl::Framebuffer target; ///< in the drawing thread's context
         gl::Fence drawn, shown;
-        FrameReport report;
+        FrameDelivery delivery;
     };
 
     void work(const Make& make);
@@ -103,9 +103,9 @@ private:
     std::deque<Job> jobs_;
     std::exception_ptr error_;
     std::array<Slot, 3> slots_;
-    Slot* finished_ = nullptr; ///< not yet taken
-    Slot* front_ = nullptr;    ///< shown
-    FrameReport shownReport_;  ///< of the showing thread
+    Slot* finished_ = nullptr;    ///< not yet taken
+    Slot* front_ = nullptr;       ///< shown
+    FrameDelivery shownDelivery_; ///< of the showing thread
 
     std::thread thread_; // last: it uses all of the above
 };

@@ -11,29 +11,29 @@ namespace {
 
 HeightsPass::Inputs bedInputs(const HeightMaps::Inputs& frame)
 {
-    const WaterBody& water = frame.water;
+    const WaterBody& water = frame.eye.water;
     HeightsPass::Inputs inputs;
-    inputs.rect = {water.centre, 0.5f * water.extent + vec2(frame.options.heights.border)};
+    inputs.rect = {water.centre, 0.5f * water.extent + vec2(frame.eye.options.heights.border)};
     inputs.lowest = frame.volume.lowest;
-    inputs.highest = water.level + std::max(frame.options.refraction.clipOffset, totalAmplitude(water));
-    inputs.light = lastingLight(frame.light);
-    inputs.cull = frame.options.plan.allows(RuleId::cullChunks);
+    inputs.highest = water.level + std::max(frame.eye.options.refraction.clipOffset, totalAmplitude(water));
+    inputs.light = lastingLight(frame.eye.light);
+    inputs.cull = frame.eye.options.plan.allows(RuleId::cullChunks);
     return inputs;
 }
 
 AboveWaterHeightsPass::Inputs aboveWaterInputs(const HeightMaps::Inputs& frame)
 {
-    const WaterBody& water = frame.water;
+    const WaterBody& water = frame.eye.water;
     AboveWaterHeightsPass::Inputs inputs;
     const vec2 half = 0.5f * water.extent;
-    const vec2 low = glm::min(vec2(frame.bounds.lower.x, frame.bounds.lower.z), water.centre - half);
-    const vec2 high = glm::max(vec2(frame.bounds.upper.x, frame.bounds.upper.z), water.centre + half);
+    const vec2 low = glm::min(vec2(frame.eye.sceneBounds.lower.x, frame.eye.sceneBounds.lower.z), water.centre - half);
+    const vec2 high = glm::max(vec2(frame.eye.sceneBounds.upper.x, frame.eye.sceneBounds.upper.z), water.centre + half);
     inputs.rect = {0.5f * (low + high), 0.5f * (high - low)};
-    inputs.lowest = water.level - std::max(frame.options.reflection.clipOffset, totalAmplitude(water));
+    inputs.lowest = water.level - std::max(frame.eye.options.reflection.clipOffset, totalAmplitude(water));
     inputs.highest = frame.volume.highest;
-    inputs.light = lastingLight(frame.light);
+    inputs.light = lastingLight(frame.eye.light);
     inputs.lit = frame.lit;
-    inputs.cull = frame.options.plan.allows(RuleId::cullChunks);
+    inputs.cull = frame.eye.options.plan.allows(RuleId::cullChunks);
     return inputs;
 }
 
@@ -58,20 +58,20 @@ bool sayOtherLight(const HeightMapPicture& map, const MapLight& now)
 } // namespace
 
 void HeightMaps::draw(const Inputs& frame, SceneRenderer& sceneRenderer,
-                      gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameStats::Pass& stats)
+                      gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameReport::Pass& stats)
 {
-    light_ = mapLight(frame.light);
+    light_ = mapLight(frame.eye.light);
     const auto take = [this](auto& pass, const HeightMapPicture& picture) {
         if (!pass.isGiven()) pass.take(picture);
         if (!saidOther_.contains(picture.kind) && sayOtherLight(picture, light_)) saidOther_.insert(picture.kind);
     };
-    if (frame.plan.raycastsMirror) {
+    if (frame.eye.plan.raycastsMirror) {
         if (const auto& given = frame.given.aboveWater.picture)
             take(aboveWater_, *given);
         else
             drawAboveWater(frame, sceneRenderer, viewBlock, stats);
     }
-    if (frame.plan.raycastsBed) {
+    if (frame.eye.plan.raycastsBed) {
         if (const auto& given = frame.given.bed.picture)
             take(bed_, *given);
         else
@@ -80,12 +80,12 @@ void HeightMaps::draw(const Inputs& frame, SceneRenderer& sceneRenderer,
 }
 
 void HeightMaps::drawAboveWater(const Inputs& frame, SceneRenderer& sceneRenderer,
-                                gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameStats::Pass& stats)
+                                gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameReport::Pass& stats)
 {
     using From = AboveWaterHeightsPass::From;
-    const HeightsOptions& options = frame.options.heights;
+    const HeightsOptions& options = frame.eye.options.heights;
     const AboveWaterHeightsPass::Inputs inputs = aboveWaterInputs(frame);
-    if (frame.options.plan.allows(RuleId::keepMaps) && !aboveWater_.isStale(inputs, options)) return;
+    if (frame.eye.options.plan.allows(RuleId::keepMaps) && !aboveWater_.isStale(inputs, options)) return;
     for (const From from : {From::above, From::below}) {
         const View view = AboveWaterHeightsPass::view(inputs, from);
         viewBlock.update(tarn::viewBlock(view, ivec2(powerOfTwo(options.mapSize))));
@@ -95,12 +95,12 @@ void HeightMaps::drawAboveWater(const Inputs& frame, SceneRenderer& sceneRendere
 }
 
 void HeightMaps::drawBed(const Inputs& frame, SceneRenderer& sceneRenderer,
-                         gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameStats::Pass& stats)
+                         gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameReport::Pass& stats)
 {
-    const HeightsOptions& options = frame.options.heights;
+    const HeightsOptions& options = frame.eye.options.heights;
     const ivec2 size(powerOfTwo(options.mapSize));
     const HeightsPass::Inputs inputs = bedInputs(frame);
-    if (frame.options.plan.allows(RuleId::keepMaps) && !bed_.isStale(inputs, options)) return;
+    if (frame.eye.options.plan.allows(RuleId::keepMaps) && !bed_.isStale(inputs, options)) return;
     const View bed = HeightsPass::view(inputs, HeightsPass::Part::bed);
     viewBlock.update(tarn::viewBlock(bed, size));
     bed_.drawBed(bed, sceneRenderer, inputs, options, stats);

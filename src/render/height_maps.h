@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gl/buffer.h"
-#include "plan/frame_plan.h"
+#include "render/eye_frame.h"
 #include "render/passes/heights.h"
 #include "render/passes/heights_above_water.h"
 #include "scene/scene.h"
@@ -15,18 +15,14 @@ namespace tarn {
 class HeightMaps {
 public:
     struct Inputs {
-        const FramePlan& plan; ///< says which maps are marched through
-        const Options& options;
-        const WaterBody& water;
-        const Bounds& bounds; ///< of the scene, world
+        const EyeFrame& eye; ///< its plan says which maps are marched through
         const SunVolume& volume;
-        const blocks::FrameBlock& light;
         const SceneVariant& lit; ///< the sun's maps must be there for it
         const SceneMaps& given;
     };
 
     void draw(const Inputs& inputs, SceneRenderer& sceneRenderer, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
-              FrameStats::Pass& stats);
+              FrameReport::Pass& stats);
 
     const HeightsPass& bed() const { return bed_; }
     const AboveWaterHeightsPass& aboveWater() const { return aboveWater_; }
@@ -35,9 +31,9 @@ public:
 
 private:
     void drawBed(const Inputs& inputs, SceneRenderer& sceneRenderer, gl::UniformBuffer<blocks::ViewBlock>& viewBlock,
-                 FrameStats::Pass& stats);
+                 FrameReport::Pass& stats);
     void drawAboveWater(const Inputs& inputs, SceneRenderer& sceneRenderer,
-                        gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameStats::Pass& stats);
+                        gl::UniformBuffer<blocks::ViewBlock>& viewBlock, FrameReport::Pass& stats);
 
     HeightsPass bed_;
     AboveWaterHeightsPass aboveWater_;

@@ -4,13 +4,11 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "gl/workarounds.h"
-#include "plan/reduce.h"
 #include "plan/refinement.h"
 #include "render/bed_detail.h"
 #include "render/bindings.h"
+#include "render/eye_frame.h"
 #include "render/frame_context.h"
-#include "render/frame_light.h"
-#include "render/gather_visibility.h"
 #include "render/height_maps.h"
 #include "render/passes/accumulate.h"
 #include "render/passes/debug_copy.h"
@@ -45,9 +43,6 @@ template <typename Block> gl::UniformBuffer<Block> uniformBuffer(BlockIndex inde
     return gl::UniformBuffer<Block>(static_cast<int>(index), label);
 }
 
-/// Debug views that show values of single pixels: no samples to mix, and floats wide enough for positions.
-bool wantsRawValues(DebugView view) { return view != DebugView::final; }
-
 /// The anisotropy of the scene's textures: the option's, where the driver can bear it.
 float anisotropyFor(const FrameOptions& options) { return gl::avoidsAnisotropy() ? 1.0f : options.anisotropy; }
 
@@ -74,19 +69,32 @@ std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
 
 namespace {
 
-/// Whether a frame runs a pass that the one before did not, or may not have.
-bool wantsMore(const FramePlan& plan, const FramePlan& before)
+PassInterface heightsInterface(const FramePlan& plan)
 {
-    if (before.rule(RuleId::waterHidden).applies) return true;
-    for (std::size_t i = 0; i < passCount; ++i)
-        if (plan.passes[i].wanted && !before.passes[i].wanted) return true;
-    return plan.mirrorBounds != before.mirrorBounds;
+    const PassInterface bed = HeightsPass::interface(plan), above = AboveWaterHeightsPass::interface(plan);
+    return {bed.reads | above.reads, bed.writes | above.writes};
 }
 
 /// Levels of detail leave something out, and approximately.
 bool allowsDetail(const Options& options) { return options.plan.enabled && !options.plan.exact; }
 
 } // namespace
+
+PassInterface interfaceOf(PassId pass, const FramePlan& plan)
+{
+    switch (pass) {
+    case PassId::sunlight: return SunlightPass::interface(plan);
+    case PassId::caustics: return CausticsPass::interface(plan);
+    case PassId::heights: return heightsInterface(plan);
+    case PassId::refraction: return RefractionPass::interface(plan);
+    case PassId::reflection: return ReflectionPass::interface(plan);
+    case PassId::scene: return ScenePass::interface(plan);
+    case PassId::water: return WaterPass::interface(plan);
+    case PassId::glow: return GlowPass::interface(plan);
+    case PassId::present: return PresentPass::interface(plan);
+    }
+    return {};
+}
 
 std::shared_ptr<GpuScene> uploadScene(const Scene& scene, const Options& options, Progress* progress)
 {
@@ -97,7 +105,7 @@ struct Renderer::State {
     State(std::shared_ptr<GpuScene> uploaded, const Options& o, gl::ShaderLibrary& library, gl::Profiler& p)
         : scene(uploaded->scene()), options(o), water(scene.water), shaders(library),
           uploadedScene(std::move(uploaded)), sceneRenderer(gpuScene, shaders), context(p, sceneRenderer), sun(shaders),
-          waterPass(shaders), waterline(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
+          waterPass(shaders), waterlinePass(shaders), occlusionPass(shaders), glowPass(shaders), downsample(shaders),
           accumulate(shaders), presentPass(shaders), fxaa(shaders), upscale(shaders), debugCopy(shaders),
           stereo(shaders)
     {}
@@ -128,7 +136,7 @@ struct Renderer::State {
     ScenePass scenePass;
     WaterGrid waterGrid;
     WaterPass waterPass;
-    WaterlinePass waterline;
+    WaterlinePass waterlinePass;
     OcclusionPass occlusionPass;
     HiddenParts hiddenBlocks; ///< of the water
     gl::VisibilityQuery slab; ///< whether the box that the surface moves in is seen
@@ -141,42 +149,30 @@ struct Renderer::State {
     DebugCopyPass debugCopy;
     StereoPass stereo;
 
-    const gl::Target* glow = nullptr;          ///< of this frame, or null
-    const gl::Texture* sideOfPixels = nullptr; ///< of a frame that shows both sides of the surface, or null
-    const gl::Target* shown = nullptr;         ///< what the last frame presented, before tone curve and upscaling
-    const gl::Target* display = nullptr;       ///< the same as it is shown, of the picture's size
-    ivec2 presented{1};                        ///< the last frame's size, both eyes' beside each other
-    const gl::Target* beside = nullptr;        ///< both eyes' displayed halves, or null for one eye
-    const gl::Target* anaglyph = nullptr;      ///< made of them, or null
-
-    // Of this frame, or of the eye that is being drawn.
-    ivec2 drawnSize{1}; ///< of the frame, pixels
-    View main;
-    VisibilityFacts visibility;
-    bool looksUpAnew = true; ///< maps and targets are not as the last frame left them
-    bool isBelow = false;    ///< all of the picture begins under water
-    bool isCrossing = false; ///< some of it does
-    blocks::FrameBlock light{};
-    blocks::WavesBlock waves{};
+    /// What the last frame presented.
+    struct Shown {
+        const gl::Target* linear = nullptr;   ///< before tone curve and upscaling
+        const gl::Target* display = nullptr;  ///< the same as it is shown, of the picture's size
+        const gl::Target* beside = nullptr;   ///< both eyes' displayed halves, or null for one eye
+        const gl::Target* anaglyph = nullptr; ///< made of them, or null
+        ivec2 size{1};                        ///< both eyes' beside each other, pixels
+    };
+    Shown shown;
 
     void takeOptions(const Options& wanted, const WaterBody& body);
-    void drawEye(const FrameInput& input, const Camera& head);
-    void drawBothEyes(const FrameInput& input);
+    Shown drawEye(const FrameInput& input, const Camera& head);
+    Shown drawBothEyes(const FrameInput& input);
     const gl::Target& displayed() const;
     const gl::Target& linear();
-    void beginEye(const FrameInput& input, const Camera& head);
-    const FramePlan& plan() const { return context.plan(); }
-    void drawMaps(const Camera& head);
-    SunPasses::Inputs sunInputs(const Camera& head) const;
-    WaterTargets::Inputs targetInputs(const FrameInput& input) const;
-    void drawWaterIfSeen(const FrameInput& input);
-    void tellHidden(const Occlusion& occlusion);
-    void drawHeights();
-    void drawScene(const FrameInput& input);
-    void drawWater(const FrameInput& input);
-    void drawGlow(const FrameInput& input);
-    const gl::Target& selectShown(const FrameInput& input);
-    void present(const FrameInput& input);
+    EyeFrame beginEye(const FrameInput& input, const Camera& head);
+    void drawMaps(const EyeFrame& eye);
+    const gl::Texture* drawScene(const EyeFrame& eye);
+    void drawWaterIfSeen(const EyeFrame& eye, const gl::Texture* waterline);
+    void drawWater(const EyeFrame& eye, const gl::Texture* waterline);
+    void reportHidden(const Occlusion& occlusion);
+    const gl::Target* drawGlow(const EyeFrame& eye);
+    const gl::Target& selectShown(const EyeFrame& eye);
+    Shown present(const EyeFrame& eye, const gl::Target* glow);
 };
 
 Renderer::Renderer(const Scene& scene, const Options& options, gl::ShaderLibrary& shaders, gl::Profiler& profiler,
@@ -255,233 +251,184 @@ void Renderer::setWarmingUp(bool warmingUp) { state_->sceneRenderer.setWarmingUp
 
 const std::vector<BadPixels>& Renderer::badPixels() const { return state_->context.bad; }
 
-const FrameStats& Renderer::render(const FrameInput& input)
+const FrameReport& Renderer::render(const FrameInput& input)
 {
     if (input.size.x < 1 || input.size.y < 1)
         throw Error("a picture of {}x{} pixels cannot be rendered", input.size.x, input.size.y);
     State& s = *state_;
     s.context.profiler.beginFrame();
-    s.context.stats.passes.clear();
+    s.context.report.passes.clear();
     s.context.bad.clear();
-    const FrameKey moment = frameKeyOf(input, s.options, s.water, s.shaders.rebuilt());
-    if (s.context.cache.beginFrame(moment, s.options.plan, !s.context.checking)) {
-        s.context.stats.plan.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
+    const FrameKey key = frameKeyOf(input, s.options, s.water, s.shaders.rebuilt());
+    if (!s.context.checking && s.options.plan.allows(RuleId::keepFrame) && s.context.cache.holdsFrame(key)) {
+        s.context.report.rule(RuleId::keepFrame) = {true, "nothing changed since the last frame"};
         s.context.profiler.endFrame();
-        return s.context.stats;
+        return s.context.report;
     }
-    s.beside = s.anaglyph = nullptr;
+    s.context.cache.beginFrame(key);
     s.sun.beginFrame();
     try {
-        if (s.options.stereo.isOn())
-            s.drawBothEyes(input);
-        else
-            s.drawEye(input, input.camera);
+        s.shown = s.options.stereo.isOn() ? s.drawBothEyes(input) : s.drawEye(input, input.camera);
     } catch (...) {
         s.context.cache.forget();
         throw;
     }
     s.context.cache.endFrame();
     s.context.profiler.endFrame();
-    return s.context.stats;
+    return s.context.report;
 }
 
 /// @param head what does not depend on the eye is drawn for this camera
-void Renderer::State::drawEye(const FrameInput& input, const Camera& head)
+Renderer::State::Shown Renderer::State::drawEye(const FrameInput& input, const Camera& head)
 {
     const auto goOn = [&] {
         if (input.abandoned && *input.abandoned) throw FrameAbandoned{};
     };
-    beginEye(input, head);
-    if (looksUpAnew) drawMaps(head);
+    const EyeFrame eye = beginEye(input, head);
+    if (eye.drawsLookups) drawMaps(eye);
     goOn();
-    drawScene(input);
+    const gl::Texture* const waterline = drawScene(eye);
     goOn();
-    drawWaterIfSeen(input);
+    drawWaterIfSeen(eye, waterline);
     goOn();
-    if (plan()[PassId::glow].wanted) drawGlow(input);
-    present(input);
+    const gl::Target* const glow = eye.plan[PassId::glow].wanted && !eye.showsRawValues ? drawGlow(eye) : nullptr;
+    return present(eye, glow);
 }
 
-void Renderer::State::drawBothEyes(const FrameInput& input)
+Renderer::State::Shown Renderer::State::drawBothEyes(const FrameInput& input)
 {
+    Shown both;
     for (const Eye eye : bothEyes) {
         const Camera camera = eyeCamera(input.camera, options.stereo, eye);
-        drawEye({camera, input.time, input.size, input.view}, input.camera);
+        both = drawEye({camera, input.time, input.size, input.view}, input.camera);
         gl::PassScope scope(context.profiler, passName(PassId::present));
-        stereo.take(eye, *shown, *display);
+        stereo.take(eye, *both.linear, *both.display);
     }
-    shown = &stereo.linear();
-    beside = &stereo.display();
-    if (options.stereo.output != StereoOptions::Output::anaglyph) return;
-    gl::PassScope scope(context.profiler, passName(PassId::present));
-    anaglyph = &stereo.drawAnaglyph();
+    both.linear = &stereo.linear();
+    both.beside = &stereo.display();
+    if (options.stereo.output == StereoOptions::Output::anaglyph) {
+        gl::PassScope scope(context.profiler, passName(PassId::present));
+        both.anaglyph = &stereo.drawAnaglyph();
+    }
+    return both;
 }
 
-void Renderer::State::beginEye(const FrameInput& input, const Camera& head)
+EyeFrame Renderer::State::beginEye(const FrameInput& input, const Camera& head)
 {
-    const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
-    light = tarn::frameBlock(scene, water, gpuScene.sky(), options);
-    Options allowed = options;
-    if (wantsRawValues(input.view)) allowed.plan = planForRawValues(options.plan);
-    const int sample = options.stereo.isOn() || wantsRawValues(input.view) ? 0 : input.sample;
-    // The samples of an edge's pixels look things up half a pixel beyond what is bounded for their middles.
-    if (sample > 0) allowed.plan.rules[static_cast<std::size_t>(RuleId::targetBounds)] = false;
-    visibility = gatherVisibility(boxes, scene, water, input.camera, input.size, allowed, light);
     hiddenBlocks.takeAnswers();
-    visibility.waterWasHidden = hiddenBlocks.wereAllHidden() &&
+    const bool waterWasHidden = hiddenBlocks.wereAllHidden() &&
                                 OcclusionPass::canAsk(waterBounds(water), input.camera.eye) && !context.checking &&
                                 !input.sameMoment;
-    const FramePlan before = std::move(context.stats.plan);
-    context.stats.plan = planFrame(scene, water, input.camera, allowed, input.size, input.time,
-                                   complexity ? &*complexity : nullptr, &visibility);
-    // What the last frame left out, a debug view of the same moment may want to show.
-    looksUpAnew = !input.sameMoment || wantsMore(context.stats.plan, before);
-    glow = nullptr;
-    sideOfPixels = nullptr;
-    isBelow = plan().side == WaterSide::below;
-    isCrossing = plan().side == WaterSide::crossing;
-    main = mainView(input.camera, aspect);
-    if (sample > 0)
-        main.clipFromView = glm::translate(mat4(1.0f), vec3(2.0f * jitterOf(sample) /
-                                                                vec2(glm::min(input.size, plan()[PassId::scene].size)),
-                                                            0.0f)) *
-                            main.clipFromView;
-    // How far off geometry may be. The maps of heights hold full detail: what marches through them goes closer.
-    main.geometryError = geometryErrorOf(main, plan()[PassId::scene].size, options.detail.pixels);
-    targets.begin(targetInputs(input), plan());
-    for (std::size_t axis = 0; axis < 2; ++axis) light.waterGrid[axis] = narrowed(context.stats.plan.waterGrid[axis]);
-    frameBlock.update(light);
-    waves = tarn::wavesBlock(water, input.time);
-    wavesBlock.update(waves);
-    sceneRenderer.setWater(light.hasWater > 0.5f ? &water : nullptr);
-    sun.begin(sunInputs(head), context.cache, looksUpAnew);
-}
-
-SunPasses::Inputs Renderer::State::sunInputs(const Camera& head) const
-{
-    return {plan(), options, water, bounds, head, light, waves};
-}
-
-WaterTargets::Inputs Renderer::State::targetInputs(const FrameInput& input) const
-{
-    const float aspect = static_cast<float>(input.size.x) / static_cast<float>(input.size.y);
-    return {options, water, input.camera, aspect, sun.lit(), light.deepRadiance};
+    EyeFrame eye = makeEyeFrame({scene, water, options, gpuScene.sky(), boxes, bounds,
+                                 complexity ? &*complexity : nullptr, context.report.plan, waterWasHidden},
+                                input, head);
+    context.report.begin(eye.plan);
+    targets.begin(eye);
+    frameBlock.update(eye.light);
+    wavesBlock.update(eye.waves);
+    sceneRenderer.setWater(eye.light.hasWater > 0.5f ? &water : nullptr);
+    sun.begin(eye, context.cache);
+    return eye;
 }
 
 /// What the scene and the water look up that does not depend on the eye, or little.
-void Renderer::State::drawMaps(const Camera& head)
+void Renderer::State::drawMaps(const EyeFrame& eye)
 {
-    sun.draw(sunInputs(head), context);
-    if (plan()[PassId::heights].wanted) drawHeights();
-    context.cache.tell(context.stats.plan, RuleId::keepMaps);
-}
-
-/// In a frame that may hide the water, its own depth decides, on the GPU, whether anything is drawn here.
-void Renderer::State::drawWaterIfSeen(const FrameInput& input)
-{
-    const bool isAsked = context.stats.plan.rule(RuleId::waterHidden).applies;
-    if (isAsked) {
-        gl::PassScope scope(context.profiler, passName(PassId::water));
-        context.viewBlock.update(tarn::viewBlock(main, drawnSize));
-        frame.bind();
-        occlusionPass.ask(slab, waterBounds(water), main.eye);
+    sun.draw(eye, context);
+    if (eye.plan[PassId::heights].wanted) {
+        gl::PassScope scope(context.profiler, passName(PassId::heights));
+        heights.draw({eye, sun.volume(), sun.lit(), scene.maps}, sceneRenderer, context.viewBlock,
+                     context.report.of(passName(PassId::heights)));
     }
-    std::optional<gl::VisibilityQuery::Condition> ifSeen;
-    if (isAsked) ifSeen.emplace(slab);
-    if (looksUpAnew) targets.draw(targetInputs(input), visibility, context);
-    if (plan()[PassId::water].wanted) drawWater(input);
-    if (isAsked) context.cache.forgetTargets(); // the GPU alone knows whether they were drawn
+    context.reportKept(RuleId::keepMaps, options.plan);
 }
 
-/// Tells the plan what was left out by the frame's own depth, or might have been.
-void Renderer::State::tellHidden(const Occlusion& occlusion)
-{
-    RuleState& rule = context.stats.plan.rule(RuleId::cullHidden);
-    rule.applies = occlusion.asked > 0;
-    rule.why = rule.applies
-                   ? fmt::format("{} of {} blocks in view were hidden in the last frame: drawn only if this one's "
-                                 "depth shows some of their boxes",
-                                 occlusion.asked, occlusion.drawn)
-                   : "no block in view was hidden in the last frame";
-}
-
-void Renderer::State::drawHeights()
-{
-    gl::PassScope scope(context.profiler, passName(PassId::heights));
-    FrameStats::Pass& pass = context.stats.of(passName(PassId::heights));
-    const HeightMaps::Inputs inputs{context.stats.plan, options, water,     bounds,
-                                    sun.volume(),       light,   sun.lit(), scene.maps};
-    heights.draw(inputs, sceneRenderer, context.viewBlock, pass);
-}
-
-void Renderer::State::drawScene(const FrameInput& input)
+/// @returns which side of the surface each pixel is on, in a frame that shows both; else null
+const gl::Texture* Renderer::State::drawScene(const EyeFrame& eye)
 {
     gl::PassScope scope(context.profiler, passName(PassId::scene));
-    const bool raw = wantsRawValues(input.view);
-    // A mean of raw values is none: a position between two others, a normal that is no longer of unit length.
-    drawnSize = raw ? input.size : plan()[PassId::scene].size;
-    frame.ensure({.size = drawnSize,
+    const bool raw = eye.showsRawValues;
+    const DebugView debugView = eye.input.view;
+    frame.ensure({.size = eye.size,
                   .colours = {raw ? gl::Format::rgba32f : gl::Format::rgba16f},
                   .depth = gl::Format::depth24,
                   .samples = raw ? 1 : options.frame.samples()});
 
     ScenePass::Inputs inputs{
-        .view = main, .variant = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
-    if (isWaterView(input.view)) { // what hides the water is all that they need
+        .view = eye.view, .variant = sun.lit(), .cover = {}, .cull = options.plan.allows(RuleId::cullChunks)};
+    if (isWaterView(debugView)) { // what hides the water is all that they need
         inputs.variant = SceneVariant{};
         inputs.variant.depthOnly = true;
     }
-    inputs.variant.underwaterEye = isBelow;
-    inputs.variant.sunDisc = !isBelow;
+    inputs.variant.underwaterEye = eye.isBelow();
+    inputs.variant.sunDisc = !eye.isBelow();
     if (raw) inputs.variant.dithersCutOuts = false; // no mean is taken
     inputs.variant.alphaToCoverage = frame.isMultisampled() && !inputs.variant.dithersCutOuts;
     inputs.variant.depthFirst &= !frame.isMultisampled();
-    inputs.variant.debugNormals = input.view == DebugView::normals;
+    inputs.variant.debugNormals = debugView == DebugView::normals;
     inputs.variant.sky = !raw;
-    if (plan()[PassId::water].wanted && plan().side == WaterSide::above && input.view != DebugView::sceneDepth)
+    if (eye.plan[PassId::water].wanted && eye.plan.side == WaterSide::above && debugView != DebugView::sceneDepth)
         inputs.cover = waterCover(water);
-    FrameStats::Pass& pass = context.beginPass(PassId::scene, main, drawnSize);
-    if (isCrossing) sideOfPixels = &waterline.draw(main, drawnSize);
-    if (!inputs.variant.depthOnly) inputs.variant.waterline = sideOfPixels;
+    FrameReport::Pass& pass = context.beginPass(PassId::scene, eye.view, eye.size);
+    const gl::Texture* const waterline = eye.isCrossing() ? &waterlinePass.draw(eye.view, eye.size) : nullptr;
+    if (!inputs.variant.depthOnly) inputs.variant.waterline = waterline;
     scenePass.draw(sceneRenderer, frame, inputs, pass);
-    if (isWaterView(input.view)) frame.drawFramebuffer().clearColour(vec4(0.0f));
+    if (isWaterView(debugView)) frame.drawFramebuffer().clearColour(vec4(0.0f));
     if (!raw) context.check(PassId::scene, frame);
+    return waterline;
 }
 
-void Renderer::State::drawWater(const FrameInput& input)
+/// In a frame that may hide the water, its own depth decides, on the GPU, whether anything is drawn here.
+void Renderer::State::drawWaterIfSeen(const EyeFrame& eye, const gl::Texture* waterline)
+{
+    const bool isAsked = eye.plan.rule(RuleId::waterHidden).applies;
+    if (isAsked) {
+        gl::PassScope scope(context.profiler, passName(PassId::water));
+        context.viewBlock.update(viewBlock(eye.view, eye.size));
+        frame.bind();
+        occlusionPass.ask(slab, waterBounds(water), eye.view.eye);
+    }
+    std::optional<gl::VisibilityQuery::Condition> ifSeen;
+    if (isAsked) ifSeen.emplace(slab);
+    if (eye.drawsLookups) targets.draw(eye, sun.lit(), context);
+    if (eye.plan[PassId::water].wanted) drawWater(eye, waterline);
+    if (isAsked) context.cache.forgetTargets(); // the GPU alone knows whether they were drawn
+}
+
+void Renderer::State::drawWater(const EyeFrame& eye, const gl::Texture* waterline)
 {
     gl::PassScope scope(context.profiler, passName(PassId::water));
-    const bool refracts = plan()[PassId::refraction].wanted;
-    const bool reflects = plan()[PassId::reflection].wanted;
-    const bool marchesBed = plan().raycastsBed, marchesMirror = plan().raycastsMirror;
+    const FramePlan& plan = eye.plan;
+    const bool refracts = plan[PassId::refraction].wanted;
+    const bool reflects = plan[PassId::reflection].wanted;
     const WaterTargets::Side& side = targets.first();
     WaterPass::Inputs inputs{.bed = {},
-                             .aboveWater = marchesMirror ? &heights.aboveWater() : nullptr,
-                             .refraction = refracts && plan().targetsBed ? &side.refraction.target() : nullptr,
+                             .aboveWater = plan.raycastsMirror ? &heights.aboveWater() : nullptr,
+                             .refraction = refracts && plan.targetsBed ? &side.refraction.target() : nullptr,
                              .refractionView = &side.refractionView,
-                             .reflection = reflects && plan().targetsMirror ? &side.reflection.target() : nullptr,
+                             .reflection = reflects && plan.targetsMirror ? &side.reflection.target() : nullptr,
                              .reflectionView = &side.reflectionView,
                              .skyMap = gpuScene.skyMap(),
                              .ior = water.ior,
                              .waveCount = drawnWaveCount(water),
-                             .footprint = footprintOf(input.sample),
-                             .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
-                             .underwater = isBelow,
-                             .view = input.view};
-    if (marchesBed) inputs.bed.emplace(WaterPass::Bed{heights.bed(), sceneRenderer.sunMaps(), sun.lit()});
-    if (isCrossing) inputs.waterline = sideOfPixels;
+                             .footprint = footprintOf(eye.input.sample),
+                             .normalMap = normalMapInputs(water, gpuScene.waterNormals(), eye.input.time),
+                             .underwater = eye.isBelow(),
+                             .view = eye.input.view};
+    if (plan.raycastsBed) inputs.bed.emplace(WaterPass::Bed{heights.bed(), sceneRenderer.sunMaps(), sun.lit()});
+    inputs.waterline = waterline;
     const Bounds slabBounds = waterBounds(water);
     Occlusion occlusion{occlusionPass, hiddenBlocks};
     const bool mayAsk = options.plan.allows(RuleId::cullHidden);
-    occlusion.asks = mayAsk && !plan().rule(RuleId::waterHidden).applies; // that asks for all of them already
-    const bool counts = (mayAsk || options.plan.allows(RuleId::waterHidden)) && !wantsRawValues(input.view);
+    occlusion.asks = mayAsk && !plan.rule(RuleId::waterHidden).applies; // that asks for all of them already
+    const bool counts = (mayAsk || options.plan.allows(RuleId::waterHidden)) && !eye.showsRawValues;
     const bool culls = options.plan.allows(RuleId::cullChunks);
-    if (!isCrossing && (culls || counts)) // a frame that shows both sides draws the surface twice, as it is
+    if (!eye.isCrossing() && (culls || counts)) // a frame that shows both sides draws the surface twice, as it is
         inputs.culling.emplace(
-            WaterGrid::Culling{main, plan().waterGrid, slabBounds, culls, counts ? &occlusion : nullptr});
-    FrameStats::Pass& pass = context.beginPass(PassId::water, main, drawnSize);
+            WaterGrid::Culling{eye.view, plan.waterGrid, slabBounds, culls, counts ? &occlusion : nullptr});
+    FrameReport::Pass& pass = context.beginPass(PassId::water, eye.view, eye.size);
     waterPass.draw(frame, waterGrid, options, inputs, pass);
-    if (isCrossing) {
+    if (eye.isCrossing()) {
         inputs.bed.reset();
         inputs.aboveWater = nullptr;
         const WaterTargets::Side& below = targets.below();
@@ -492,37 +439,50 @@ void Renderer::State::drawWater(const FrameInput& input)
         inputs.underwater = true;
         waterPass.draw(frame, waterGrid, options, inputs, pass);
     }
-    if (mayAsk && counts) tellHidden(occlusion);
-    if (!wantsRawValues(input.view)) context.check(PassId::water, frame);
+    if (mayAsk && counts) reportHidden(occlusion);
+    if (!eye.showsRawValues) context.check(PassId::water, frame);
 }
 
-void Renderer::State::drawGlow(const FrameInput& input)
+/// Reports what was left out by the frame's own depth, or might have been.
+void Renderer::State::reportHidden(const Occlusion& occlusion)
 {
-    if (wantsRawValues(input.view)) return;
+    RuleState& rule = context.report.rule(RuleId::cullHidden);
+    rule.applies = occlusion.asked > 0;
+    rule.why = rule.applies
+                   ? fmt::format("{} of {} blocks in view were hidden in the last frame: drawn only if this one's "
+                                 "depth shows some of their boxes",
+                                 occlusion.asked, occlusion.drawn)
+                   : "no block in view was hidden in the last frame";
+}
+
+const gl::Target* Renderer::State::drawGlow(const EyeFrame& eye)
+{
     gl::PassScope scope(context.profiler, passName(PassId::glow));
     frame.resolveDepth();
-    const ivec2 size = plan()[PassId::glow].size;
-    FrameStats::Pass& pass = context.beginPass(PassId::glow, main, size);
-    glow = &glowPass.draw(waterGrid, options,
-                          {.sceneDepth = frame.depth(),
-                           .size = size,
-                           .waveCount = drawnWaveCount(water),
-                           .normalMap = normalMapInputs(water, gpuScene.waterNormals(), input.time),
-                           .ifSeen = plan().rule(RuleId::waterHidden).applies ? &slab : nullptr},
-                          pass);
-    context.check(PassId::glow, *glow);
+    const ivec2 size = eye.plan[PassId::glow].size;
+    FrameReport::Pass& pass = context.beginPass(PassId::glow, eye.view, size);
+    const gl::Target& glow =
+        glowPass.draw(waterGrid, options,
+                      {.sceneDepth = frame.depth(),
+                       .size = size,
+                       .waveCount = drawnWaveCount(water),
+                       .normalMap = normalMapInputs(water, gpuScene.waterNormals(), eye.input.time),
+                       .ifSeen = eye.plan.rule(RuleId::waterHidden).applies ? &slab : nullptr},
+                      pass);
+    context.check(PassId::glow, glow);
+    return &glow;
 }
 
 /// What is presented: the frame, or in a debug view the target that it shows.
-const gl::Target& Renderer::State::selectShown(const FrameInput& input)
+const gl::Target& Renderer::State::selectShown(const EyeFrame& eye)
 {
-    const ivec2 size = input.size;
+    const ivec2 size = eye.input.size;
     // With raycast the target, if there is one, is that of what is seen from below.
-    const bool refracts = plan()[PassId::refraction].wanted && plan().targetsBed;
-    const bool reflects = plan()[PassId::reflection].wanted && plan().targetsMirror;
+    const bool refracts = eye.plan[PassId::refraction].wanted && eye.plan.targetsBed;
+    const bool reflects = eye.plan[PassId::reflection].wanted && eye.plan.targetsMirror;
     const WaterTargets::Side& side = targets.first();
-    switch (input.view) {
-    case DebugView::sceneDepth: return debugCopy.depth(frame.depth(), size, main.nearPlane, main.farPlane);
+    switch (eye.input.view) {
+    case DebugView::sceneDepth: return debugCopy.depth(frame.depth(), size, eye.view.nearPlane, eye.view.farPlane);
     case DebugView::refractionColour:
         return refracts ? debugCopy.colour(side.refraction.target().colour(), size) : debugCopy.nothing(size);
     case DebugView::refractionDepth:
@@ -532,43 +492,48 @@ const gl::Target& Renderer::State::selectShown(const FrameInput& input)
     case DebugView::reflection:
         return reflects ? debugCopy.colour(side.reflection.target().colour(), size) : debugCopy.nothing(size);
     case DebugView::caustics:
-        return plan()[PassId::caustics].wanted ? debugCopy.colour(sun.caustics().colour(), size)
-                                               : debugCopy.nothing(size);
+        return eye.plan[PassId::caustics].wanted ? debugCopy.colour(sun.caustics().colour(), size)
+                                                 : debugCopy.nothing(size);
     default: break;
     }
     // What was drawn smaller is upscaled as it is shown, after the tone curve.
-    const bool isSmaller = drawnSize.x < size.x || drawnSize.y < size.y;
+    const bool isSmaller = eye.size.x < size.x || eye.size.y < size.y;
     return isSmaller ? frame : downsample.draw(frame, size);
 }
 
-void Renderer::State::present(const FrameInput& input)
+Renderer::State::Shown Renderer::State::present(const EyeFrame& eye, const gl::Target* glow)
 {
     gl::PassScope scope(context.profiler, passName(PassId::present));
+    const FrameInput& input = eye.input;
     frame.resolveColour();
     if (input.view == DebugView::sceneDepth) frame.resolveDepth();
-    shown = &selectShown(input);
-    if (input.sample > 0 && !options.stereo.isOn() && !wantsRawValues(input.view))
-        shown = &accumulate.add(*shown, input.sample);
-    const bool smooths = options.frame.antialiasing == FrameOptions::Antialiasing::fxaa && !wantsRawValues(input.view);
-    display = &presentPass.draw(shown->colour(), glow ? &glow->colour() : nullptr, options.frame, input.view, smooths);
-    if (smooths) display = &fxaa.draw(display->colour());
-    if (display->size() != input.size) display = &upscale.draw(display->colour(), input.size, options.frame.upscaler);
-    presented = presentedSize(input.size, options.stereo.output);
-    context.check(PassId::present, *display);
+    Shown result;
+    result.linear = &selectShown(eye);
+    if (input.sample > 0 && !options.stereo.isOn() && !eye.showsRawValues)
+        result.linear = &accumulate.add(*result.linear, input.sample);
+    const bool smooths = options.frame.antialiasing == FrameOptions::Antialiasing::fxaa && !eye.showsRawValues;
+    result.display = &presentPass.draw(result.linear->colour(), glow ? &glow->colour() : nullptr, options.frame,
+                                       input.view, smooths);
+    if (smooths) result.display = &fxaa.draw(result.display->colour());
+    if (result.display->size() != input.size)
+        result.display = &upscale.draw(result.display->colour(), input.size, options.frame.upscaler);
+    result.size = presentedSize(input.size, options.stereo.output);
+    context.check(PassId::present, *result.display);
+    return result;
 }
 
 const gl::Target& Renderer::State::displayed() const
 {
-    if (!display) throw Error("no frame has been rendered yet");
-    return anaglyph ? *anaglyph : beside ? *beside : *display;
+    if (!shown.display) throw Error("no frame has been rendered yet");
+    return shown.anaglyph ? *shown.anaglyph : shown.beside ? *shown.beside : *shown.display;
 }
 
 /// The radiance of the last frame, of its picture's size. In an upscaled frame nobody else needs it: made when it is
 /// read.
 const gl::Target& Renderer::State::linear()
 {
-    if (shown->size() == presented) return *shown;
-    return upscale.drawLinear(shown->colour(), presented, options.frame, beside ? 2 : 1);
+    if (shown.linear->size() == shown.size) return *shown.linear;
+    return upscale.drawLinear(shown.linear->colour(), shown.size, options.frame, shown.beside ? 2 : 1);
 }
 
 void Renderer::presentToWindow(ivec2 windowSize) const
@@ -585,8 +550,8 @@ Image Renderer::readDisplay() const { return readBytes(state_->displayed().frame
 Image Renderer::readLinear() const
 {
     const State& s = *state_;
-    if (!s.shown) throw Error("no frame has been rendered yet");
-    if (s.anaglyph)
+    if (!s.shown.linear) throw Error("no frame has been rendered yet");
+    if (s.shown.anaglyph)
         throw Error("an anaglyph is made of what a display shows and has no radiance; stereo.output = side_by_side or "
                     "pair has");
     return readFloats(state_->linear().framebuffer());
@@ -594,12 +559,13 @@ Image Renderer::readLinear() const
 
 const HeightField* Renderer::heightField() const
 {
-    return state_->plan().raycastsBed && !state_->plan().targetsBed ? &state_->heights.bed().field() : nullptr;
+    const FramePlan& plan = state_->context.report.plan;
+    return plan.raycastsBed && !plan.targetsBed ? &state_->heights.bed().field() : nullptr;
 }
 
 std::optional<HeightMapPicture> Renderer::readMap(MapKind kind) const
 {
-    const FramePlan& plan = state_->context.stats.plan;
+    const FramePlan& plan = state_->context.report.plan;
     if (!(kind == MapKind::bed ? plan.raycastsBed : plan.raycastsMirror)) return std::nullopt;
     return state_->heights.picture(kind);
 }
@@ -611,8 +577,8 @@ const View& Renderer::refractionView() const { return state_->targets.first().re
 std::optional<CausticsMap> Renderer::readCaustics() const
 {
     const State& s = *state_;
-    if (!s.shown || !s.plan()[PassId::caustics].wanted) return std::nullopt;
-    return s.sun.readCaustics(s.water, s.light.sunDirectionBelow);
+    if (!s.shown.linear || !s.context.report.plan[PassId::caustics].wanted) return std::nullopt;
+    return s.sun.readCaustics(s.water);
 }
 
 } // namespace tarn

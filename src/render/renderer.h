@@ -60,7 +60,7 @@ public:
     /// for warmUp(), whose pictures nobody sees. What maps hold then is wrong.
     void setWarmingUp(bool warmingUp);
 
-    const FrameStats& render(const FrameInput& input);
+    const FrameReport& render(const FrameInput& input);
 
     /// Copies the last frame's picture to the default framebuffer of the window.
     void presentToWindow(ivec2 windowSize) const;

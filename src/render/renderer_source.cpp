@@ -74,12 +74,12 @@ bool RendererSource::draw(const FrameRequest& request)
     // for.
     constexpr int framesBetweenTimed = 16;
     profiler_.setSynchronous(gl::capabilities().llvmpipe && frames_++ % framesBetweenTimed == 0);
-    stats_ = &renderer_.render(
+    report_ = &renderer_.render(
         {request.camera, request.time, request.size, request.view, false, request.sample, request.abandoned.get()});
     shaders_->watchFirstUses({});
     if (profiler_.isSynchronous() || !gl::capabilities().llvmpipe) passes_ = profiler_.latest();
     sample_ = request.sample;
-    return !stats_->plan.rule(RuleId::keepFrame).applies;
+    return !report_->rule(RuleId::keepFrame).applies;
 }
 
 RendererSource::Ahead RendererSource::workAhead()
@@ -92,6 +92,9 @@ RendererSource::Ahead RendererSource::workAhead()
     return rehearsal_->buildOthers(1) ? Ahead::more : Ahead::nothing;
 }
 
-FrameReport RendererSource::report() const { return {*stats_, passes_, 0.0, shaders_->lastError(), asked_, sample_}; }
+FrameDelivery RendererSource::delivery() const
+{
+    return {*report_, passes_, 0.0, shaders_->lastError(), asked_, sample_};
+}
 
 } // namespace tarn

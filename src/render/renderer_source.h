@@ -32,7 +32,7 @@ public:
     void prepare(const FrameRequest& request) override;
     bool draw(const FrameRequest& request) override;
     const gl::Framebuffer& picture() const override { return renderer_.display(); }
-    FrameReport report() const override;
+    FrameDelivery delivery() const override;
     Ahead workAhead() override;
     Renderer* renderer() override { return &renderer_; }
 
@@ -52,7 +52,7 @@ private:
     Options asked_;    ///< the renderer's own may differ where it must
     WaterBody water_;
     int sample_ = 0;
-    const FrameStats* stats_ = nullptr;
+    const FrameReport* report_ = nullptr;
 };
 
 } // namespace tarn

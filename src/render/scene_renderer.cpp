@@ -188,7 +188,7 @@ void SceneRenderer::setMaterial(gl::Program& program, const Material& material, 
 }
 
 void SceneRenderer::draw(const View& view, const SceneVariant& variant, const WaterCover& cover, bool cull,
-                         FrameStats::Pass& stats)
+                         FrameReport::Pass& stats)
 {
     if (media_.size() != scene_.chunks().all.size())
         setWater(water_); // another renderer has asked the scene for levels of detail
@@ -204,7 +204,7 @@ void SceneRenderer::draw(const View& view, const SceneVariant& variant, const Wa
 /// first, in a shader of one lookup; what is solid hides little of itself and is shaded at once; then foliage is shaded
 /// where its depth was left.
 void SceneRenderer::drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view,
-                                   const SceneVariant& variant, FrameStats::Pass& stats)
+                                   const SceneVariant& variant, FrameReport::Pass& stats)
 {
     std::vector<const Chunk*> cutOuts, solids;
     for (const Chunk* chunk : chunks) {
@@ -223,7 +223,7 @@ void SceneRenderer::drawDepthFirst(const std::vector<const Chunk*>& chunks, cons
 }
 
 void SceneRenderer::drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const SceneVariant& variant,
-                               FrameStats::Pass& stats)
+                               FrameReport::Pass& stats)
 {
     const gl::Program* lastProgram = nullptr;
     int lastMaterial = -1;

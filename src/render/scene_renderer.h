@@ -62,7 +62,7 @@ public:
 
     /// Draws into the bound target. FrameBlock and the view's ViewBlock must be bound.
     void draw(const View& view, const SceneVariant& variant, const WaterCover& cover, bool cull,
-              FrameStats::Pass& stats);
+              FrameReport::Pass& stats);
 
 private:
     /// What a material asks of the shader. Bits of a key.
@@ -71,9 +71,9 @@ private:
     gl::Program& skyProgram(const SceneVariant& variant);
     void setMaterial(gl::Program& program, const Material& material, bool dithers) const;
     void drawChunks(const std::vector<const Chunk*>& chunks, const View& view, const SceneVariant& variant,
-                    FrameStats::Pass& stats);
+                    FrameReport::Pass& stats);
     void drawDepthFirst(const std::vector<const Chunk*>& chunks, const View& view, const SceneVariant& variant,
-                        FrameStats::Pass& stats);
+                        FrameReport::Pass& stats);
     void drawSky(const SceneVariant& variant);
     const gl::VertexArray& meshArray(int mesh);
 

@@ -34,56 +34,66 @@ SunPasses::SunPasses(gl::ShaderLibrary& shaders)
     : block_(static_cast<int>(BlockIndex::sun), "sun block"), caustics_(shaders)
 {}
 
-void SunPasses::begin(const Inputs& inputs, FrameCache& kept, bool draws)
+void SunPasses::begin(const EyeFrame& eye, const FrameCache& cache)
 {
-    const Options& options = inputs.options;
-    volume_ = sunVolume(inputs.water, inputs.bounds, inputs.light.sunDirection, options.sunlight);
-    if (draws && !std::exchange(isPlaced_, true)) {
-        usesCausticsAgain_ = inputs.plan[PassId::caustics].wanted && kept.areCausticsUsedAgain();
-        if (!usesCausticsAgain_) region_ = causticsRegion(inputs.water, inputs.head, options.caustics);
+    const Options& options = eye.options;
+    toSunBelow_ = eye.light.sunDirectionBelow;
+    volume_ = sunVolume(eye.water, eye.sceneBounds, eye.light.sunDirection, options.sunlight);
+    if (eye.drawsLookups && !std::exchange(isPlaced_, true)) {
+        usesCausticsAgain_ =
+            eye.plan[PassId::caustics].wanted && cache.mayReuse(PassId::caustics, eye.head, WaterSide::above);
+        if (!usesCausticsAgain_) region_ = causticsRegion(eye.water, eye.head, options.caustics);
     }
     block_.update(sunBlock(volume_, region_, options));
     lit_ = SceneVariant{};
     lit_.dithersCutOuts = dithersCutOuts(options.frame);
-    lit_.shadows = inputs.plan[PassId::sunlight].wanted && options.sunlight.shadows;
-    lit_.caustics = inputs.plan[PassId::caustics].wanted;
+    lit_.shadows = eye.plan[PassId::sunlight].wanted && options.sunlight.shadows;
+    lit_.caustics = eye.plan[PassId::caustics].wanted;
     lit_.depthFirst = options.frame.depthPrepass;
 }
 
-void SunPasses::draw(const Inputs& inputs, FrameContext& context)
+void SunPasses::draw(const EyeFrame& eye, FrameContext& context)
 {
-    if (inputs.plan[PassId::sunlight].wanted) drawSunlight(inputs, context);
-    if (!inputs.plan[PassId::caustics].wanted) return;
-    const bool isThere = std::exchange(hasCaustics_, true);
-    if (!isThere && usesCausticsAgain_)
-        context.stats.plan[PassId::caustics].reason += " (caustics.interval: an earlier frame's)";
-    else if (!isThere && !context.cache.caustics({sunlightInputs(inputs), region_, inputs.light, inputs.waves}))
-        drawCaustics(inputs, context);
-    context.sceneRenderer.setSunMaps({&sunlight_.depth(), &caustics_.target().colour(), inputs.options.sunlight.taps});
+    if (eye.plan[PassId::sunlight].wanted) drawSunlight(eye, context);
+    if (!eye.plan[PassId::caustics].wanted) return;
+    const CausticsKey key{sunlightInputs(eye), region_, eye.light, eye.waves};
+    if (std::exchange(hasCaustics_, true)) {
+        // They are the other eye's, too.
+    } else if (usesCausticsAgain_) {
+        context.cache.noteReuse(PassId::caustics, eye.head, WaterSide::above);
+        context.report.noteReused(PassId::caustics);
+    } else if (eye.options.plan.allows(RuleId::keepMaps) && context.cache.holdsCaustics(key)) {
+        context.noteKept(PassId::caustics);
+    } else {
+        drawCaustics(eye, key, context);
+    }
+    context.sceneRenderer.setSunMaps({&sunlight_.depth(), &caustics_.target().colour(), eye.options.sunlight.taps});
 }
 
-SunlightPass::Inputs SunPasses::sunlightInputs(const Inputs& inputs) const
+SunlightPass::Inputs SunPasses::sunlightInputs(const EyeFrame& eye) const
 {
     return {volume_,
-            inputs.light.sunDirection,
-            inputs.light.sunDirectionBelow,
-            inputs.water.level,
+            eye.light.sunDirection,
+            eye.light.sunDirectionBelow,
+            eye.water.level,
             lit_.dithersCutOuts,
-            inputs.light.hasWater > 0.5f,
-            inputs.options.detail.pixels};
+            eye.light.hasWater > 0.5f,
+            eye.options.detail.pixels};
 }
 
-void SunPasses::drawSunlight(const Inputs& frame, FrameContext& context)
+void SunPasses::drawSunlight(const EyeFrame& eye, FrameContext& context)
 {
     gl::PassScope scope(context.profiler, passName(PassId::sunlight));
-    FrameStats::Pass& pass = context.stats.of(passName(PassId::sunlight));
-    const SunlightOptions& options = frame.options.sunlight;
-    const SunlightPass::Inputs inputs = sunlightInputs(frame);
-    const bool holds = !sunlight_.isStale(inputs, options);
-    if (!std::exchange(hasSunlight_, true) && !context.cache.map(PassId::sunlight, holds)) {
-        const bool cull = frame.options.plan.allows(RuleId::cullChunks);
+    FrameReport::Pass& pass = context.report.of(passName(PassId::sunlight));
+    const SunlightOptions& options = eye.options.sunlight;
+    const SunlightPass::Inputs inputs = sunlightInputs(eye);
+    const bool isThere = std::exchange(hasSunlight_, true);
+    if (!isThere && eye.options.plan.allows(RuleId::keepMaps) && !sunlight_.isStale(inputs, options)) {
+        context.noteKept(PassId::sunlight);
+    } else if (!isThere) {
+        const bool cull = eye.options.plan.allows(RuleId::cullChunks);
         const auto draw = [&](SunLayer layer, std::size_t cascade, const vec3& toSun) {
-            View view = sunView(volume_, layer, cascade, toSun, frame.water, inputs.hasWater);
+            View view = sunView(volume_, layer, cascade, toSun, eye.water, inputs.hasWater);
             // What clears a surface by the bias must still clear it.
             view.geometryError = std::min(geometryErrorOf(view, ivec2(options.mapSize), inputs.detail),
                                           0.5f * shadowBias(volume_, cascade, options));
@@ -98,24 +108,24 @@ void SunPasses::drawSunlight(const Inputs& frame, FrameContext& context)
     context.sceneRenderer.setSunMaps({&sunlight_.depth(), nullptr, options.taps});
 }
 
-void SunPasses::drawCaustics(const Inputs& inputs, FrameContext& context)
+void SunPasses::drawCaustics(const EyeFrame& eye, const CausticsKey& key, FrameContext& context)
 {
     gl::PassScope scope(context.profiler, passName(PassId::caustics));
-    const CausticsOptions& options = inputs.options.caustics;
+    const CausticsOptions& options = eye.options.caustics;
     const float cell = 2.0f * region_.rect.halfExtent.x / static_cast<float>(options.photons);
     const gl::Target& drawn =
         caustics_.draw(options,
                        {.sunDepth = sunlight_.depth(),
-                        .shadows = inputs.options.sunlight.shadows,
-                        .absorption = inputs.water.absorption,
-                        .surfaceMovesSideways = movesSideways(inputs.water, inputs.light.sunDirection, cell),
-                        .waveWeights = waveWeights(inputs.waves, drawnWaveCount(inputs.water), cell)},
-                       context.stats.of(passName(PassId::caustics)));
-    context.cache.causticsWereDrawn();
+                        .shadows = eye.options.sunlight.shadows,
+                        .absorption = eye.water.absorption,
+                        .surfaceMovesSideways = movesSideways(eye.water, eye.light.sunDirection, cell),
+                        .waveWeights = waveWeights(eye.waves, drawnWaveCount(eye.water), cell)},
+                       context.report.of(passName(PassId::caustics)));
+    context.cache.causticsWereDrawn(key);
     context.check(PassId::caustics, drawn);
 }
 
-CausticsMap SunPasses::readCaustics(const WaterBody& water, const vec3& toSunBelow) const
+CausticsMap SunPasses::readCaustics(const WaterBody& water) const
 {
     const gl::Texture& texture = caustics_.target().colour();
     CausticsMap map{.region = region_,
@@ -123,7 +133,7 @@ CausticsMap SunPasses::readCaustics(const WaterBody& water, const vec3& toSunBel
                     .light = {},
                     .water = {water.centre, 0.5f * water.extent},
                     .level = water.level,
-                    .toSun = toSunBelow};
+                    .toSun = toSunBelow_};
     const std::vector<float> texels = texture.readBack();
     const auto channels = static_cast<std::size_t>(gl::channelCount(texture.format()));
     for (std::size_t i = 0; i + channels <= texels.size(); i += channels)

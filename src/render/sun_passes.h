@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/caustics_map.h"
+#include "render/eye_frame.h"
 #include "render/frame_context.h"
 #include "render/passes/caustics.h"
 #include "render/passes/sunlight.h"
@@ -19,21 +20,11 @@ public:
     /// Before the first eye of a frame.
     void beginFrame() { hasSunlight_ = hasCaustics_ = isPlaced_ = false; }
 
-    /// What an eye's frame looks up of the sun.
-    struct Inputs {
-        const FramePlan& plan;
-        const Options& options;
-        const WaterBody& water;
-        const Bounds& bounds; ///< of the scene, world
-        const Camera& head;   ///< between the eyes: the maps are the same for both
-        const blocks::FrameBlock& light;
-        const blocks::WavesBlock& waves;
-    };
-    /// Finds what the maps cover and uploads it.
-    /// @param draws whether draw() will follow; else all stays as it is
-    void begin(const Inputs& inputs, FrameCache& kept, bool draws);
-    /// Draws the maps that begin() found missing, and gives them to the scene renderer.
-    void draw(const Inputs& inputs, FrameContext& context);
+    /// Finds what the maps of an eye's frame cover and uploads it. The maps are the same for both eyes: placed for the
+    /// camera between them. In a frame that draws no lookups all stays as it is.
+    void begin(const EyeFrame& eye, const FrameCache& cache);
+    /// Draws the maps that are missing, and gives them to the scene renderer.
+    void draw(const EyeFrame& eye, FrameContext& context);
 
     /// What of the sun's light the passes look up.
     const SceneVariant& lit() const { return lit_; }
@@ -41,17 +32,18 @@ public:
 
     const gl::Target& caustics() const { return caustics_.target(); }
     /// The caustics texture as it is. Waits for the GPU.
-    CausticsMap readCaustics(const WaterBody& water, const vec3& toSunBelow) const;
+    CausticsMap readCaustics(const WaterBody& water) const;
 
 private:
-    SunlightPass::Inputs sunlightInputs(const Inputs& inputs) const;
-    void drawSunlight(const Inputs& inputs, FrameContext& context);
-    void drawCaustics(const Inputs& inputs, FrameContext& context);
+    SunlightPass::Inputs sunlightInputs(const EyeFrame& eye) const;
+    void drawSunlight(const EyeFrame& eye, FrameContext& context);
+    void drawCaustics(const EyeFrame& eye, const CausticsKey& key, FrameContext& context);
 
     gl::UniformBuffer<blocks::SunBlock> block_;
     SunlightPass sunlight_;
     CausticsPass caustics_;
     SunVolume volume_;
+    vec3 toSunBelow_{0.0f}; ///< the refracted sun's direction in the last frame
     CausticsRegion region_;
     SceneVariant lit_;
     bool hasSunlight_ = false;       ///< this frame's maps of the sun are drawn, or kept

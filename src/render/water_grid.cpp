@@ -56,7 +56,7 @@ void WaterGrid::ensure(int size)
     indexCount_ = static_cast<int>(indices.size());
 }
 
-void WaterGrid::draw(int size, FrameStats::Pass& stats)
+void WaterGrid::draw(int size, FrameReport::Pass& stats)
 {
     ensure(size);
     grid_.drawIndexed(gl::Primitive::triangles, 0, indexCount_);
@@ -105,7 +105,7 @@ bool WaterGrid::askForHidden(const std::vector<SeenBlock>& seen, const Culling& 
     return asked > 0;
 }
 
-void WaterGrid::drawBlock(const SeenBlock& seen, Occlusion* occlusion, FrameStats::Pass& stats)
+void WaterGrid::drawBlock(const SeenBlock& seen, Occlusion* occlusion, FrameReport::Pass& stats)
 {
     const Block& block = blocks_[seen.index];
     std::optional<gl::VisibilityQuery::Condition> condition;

@@ -17,7 +17,7 @@ namespace tarn {
 class WaterGrid {
 public:
     /// Draws size x size vertices with the program in use (passes/water.vert, attribute 0).
-    void draw(int size, FrameStats::Pass& stats);
+    void draw(int size, FrameReport::Pass& stats);
 
     struct Culling {
         const View& view;
@@ -28,7 +28,7 @@ public:
     };
     /// Draws the blocks that a view may see, nearest first. What asks for hidden ones changes program and state:
     /// `use` sets up those that draw the surface.
-    template <typename Use> void draw(int size, const Culling& culling, FrameStats::Pass& stats, const Use& use)
+    template <typename Use> void draw(int size, const Culling& culling, FrameReport::Pass& stats, const Use& use)
     {
         const std::vector<SeenBlock> seen = seenBlocks(size, culling);
         if (culling.occlusion && askForHidden(seen, culling)) use();
@@ -50,7 +50,7 @@ private:
     void ensure(int size);
     std::vector<SeenBlock> seenBlocks(int size, const Culling& culling);
     bool askForHidden(const std::vector<SeenBlock>& seen, const Culling& culling) const;
-    void drawBlock(const SeenBlock& block, Occlusion* occlusion, FrameStats::Pass& stats);
+    void drawBlock(const SeenBlock& block, Occlusion* occlusion, FrameReport::Pass& stats);
 
     int size_ = 0;
     int indexCount_ = 0;

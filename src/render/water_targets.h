@@ -2,6 +2,7 @@
 // a frame shows.
 #pragma once
 
+#include "render/eye_frame.h"
 #include "render/frame_context.h"
 #include "render/passes/reflection.h"
 #include "render/passes/refraction.h"
@@ -10,15 +11,6 @@ namespace tarn {
 
 class WaterTargets {
 public:
-    struct Inputs {
-        const Options& options;
-        const WaterBody& water;
-        const Camera& camera;    ///< of the eye that is drawn
-        float aspect = 1.0f;     ///< width / height of the picture
-        const SceneVariant& lit; ///< what of the sun's light the passes look up
-        vec3 deepRadiance{0.0f};
-    };
-
     /// One side's targets, and the cameras that they were drawn from, in this frame or an earlier one.
     struct Side {
         View refractionView, reflectionView;
@@ -27,10 +19,11 @@ public:
     };
 
     /// Places the cameras of the sides that the plan shows.
-    void begin(const Inputs& inputs, const FramePlan& plan);
+    void begin(const EyeFrame& eye);
 
     /// Draws what the plan wants and an earlier frame did not leave as it is.
-    void draw(const Inputs& inputs, const VisibilityFacts& visibility, FrameContext& context);
+    /// @param lit what of the sun's light the passes look up
+    void draw(const EyeFrame& eye, const SceneVariant& lit, FrameContext& context);
 
     /// Where one side is all that is shown, its; where both are, that of the air.
     const Side& first() const { return first_; }
@@ -42,9 +35,9 @@ private:
     struct Views {
         View refraction, reflection;
     };
-    Views viewsFor(const Inputs& inputs, bool underwater) const;
-    void drawRefraction(const Inputs& inputs, FrameContext& context);
-    void drawReflection(const Inputs& inputs, FrameContext& context);
+    Views viewsFor(const EyeFrame& eye, bool underwater) const;
+    void drawRefraction(const EyeFrame& eye, const SceneVariant& lit, FrameContext& context);
+    void drawReflection(const EyeFrame& eye, const SceneVariant& lit, FrameContext& context);
 
     Side first_, below_;
     Views firstViews_, belowViews_;

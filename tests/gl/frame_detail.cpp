@@ -38,10 +38,10 @@ Camera towardsHills(float z)
     return camera;
 }
 
-std::size_t sceneTriangles(const FrameStats& stats)
+std::size_t sceneTriangles(const FrameReport& stats)
 {
     std::size_t sum = 0;
-    for (const FrameStats::Pass& pass : stats.passes)
+    for (const FrameReport::Pass& pass : stats.passes)
         if (pass.name == "scene") sum += pass.triangles;
     return sum;
 }

@@ -53,8 +53,8 @@ std::array<int, ruleCount> fly(const Scene& scene, Options options)
     for (int i = 0; i < frames; ++i) {
         const Camera camera = flightCamera(scene.cameras, i / static_cast<double>(frames - 1));
         const double time = i / 30.0;
-        const FrameStats& stats = planned.renderer.render({camera, time, size});
-        for (std::size_t k = 0; k < ruleCount; ++k) applied[k] += stats.plan.rules[k].applies ? 1 : 0;
+        const FrameReport& stats = planned.renderer.render({camera, time, size});
+        for (std::size_t k = 0; k < ruleCount; ++k) applied[k] += stats.rules[k].applies ? 1 : 0;
         full.renderer.render({camera, time, size});
         Image a = planned.renderer.readDisplay(), b = full.renderer.readDisplay();
         EXPECT_TRUE(comparePictures(b, a).same()) << "frame " << i << ": " << comparePictures(b, a).summary();

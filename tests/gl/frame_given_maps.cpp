@@ -50,9 +50,9 @@ Scene furnishedPool()
     return scene;
 }
 
-std::size_t trianglesOfMaps(const FrameStats& stats)
+std::size_t trianglesOfMaps(const FrameReport& stats)
 {
-    for (const FrameStats::Pass& pass : stats.passes)
+    for (const FrameReport::Pass& pass : stats.passes)
         if (pass.name == "heights") return pass.triangles;
     return 0;
 }

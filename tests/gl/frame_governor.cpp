@@ -94,9 +94,9 @@ TEST(FrameGovernor, AveragedSamplesAreTheSupersampledPicture)
     EXPECT_LT(rmse(draw(1), alone), 1e-4) << "the first is the picture itself";
     Image mean;
     for (int n = 1; n <= Refinement::samples; ++n) mean = draw(n);
-    const FrameStats& again =
+    const FrameReport& again =
         test.renderer.render({lookAcross(), 0.7, size, DebugView::final, false, Refinement::samples});
-    EXPECT_TRUE(again.plan.rule(RuleId::keepFrame).applies) << "and is kept";
+    EXPECT_TRUE(again.rule(RuleId::keepFrame).applies) << "and is kept";
     EXPECT_LT(rmse(draw(1), alone), 1e-4) << "it begins anew";
 
     options.frame.scale = 8.0f;
@@ -112,13 +112,13 @@ TEST(FrameGovernor, TargetsAndMapsStayWhileSamplesAreAveraged)
 {
     const Scene scene = rippledLake();
     TestRenderer test(scene, small());
-    const auto draw = [&](int sample) -> const FrameStats& {
+    const auto draw = [&](int sample) -> const FrameReport& {
         return test.renderer.render({lookAcross(), 0.7, {80, 60}, DebugView::final, false, sample});
     };
     draw(1);
-    const FrameStats& second = draw(2);
-    EXPECT_TRUE(second.plan.rule(RuleId::keepTargets).applies) << second.plan.rule(RuleId::keepTargets).why;
-    EXPECT_TRUE(second.plan.rule(RuleId::keepMaps).applies) << second.plan.rule(RuleId::keepMaps).why;
+    const FrameReport& second = draw(2);
+    EXPECT_TRUE(second.rule(RuleId::keepTargets).applies) << second.rule(RuleId::keepTargets).why;
+    EXPECT_TRUE(second.rule(RuleId::keepMaps).applies) << second.rule(RuleId::keepMaps).why;
 }
 
 } // namespace

@@ -62,9 +62,9 @@ struct Pair {
     }
 
     /// Draws both and expects the same picture.
-    const FrameStats& draw(const Camera& camera, double time)
+    const FrameReport& draw(const Camera& camera, double time)
     {
-        const FrameStats& stats = planned.renderer.render({camera, time, size});
+        const FrameReport& stats = planned.renderer.render({camera, time, size});
         full.renderer.render({camera, time, size});
         const Image a = planned.renderer.readDisplay(), b = full.renderer.readDisplay();
         int most = 0;
@@ -79,9 +79,9 @@ struct Pair {
     WaterBody water;
 };
 
-bool drew(const FrameStats& stats, PassId pass)
+bool drew(const FrameReport& stats, PassId pass)
 {
-    return std::any_of(stats.passes.begin(), stats.passes.end(), [&](const FrameStats::Pass& drawn) {
+    return std::any_of(stats.passes.begin(), stats.passes.end(), [&](const FrameReport::Pass& drawn) {
         return drawn.name == passName(pass) && drawn.drawCalls > 0;
     });
 }
@@ -93,20 +93,20 @@ TEST(FrameKept, NothingIsDrawnAgainWhileNothingChanges)
     const Scene scene = pond();
     Pair pair(scene, smallOptions());
     const Camera camera = cameraAt({0, 2, 7});
-    EXPECT_FALSE(pair.draw(camera, 0.0).plan.rule(RuleId::keepFrame).applies);
-    const FrameStats& again = pair.draw(camera, 5.0); // still water: time moves nothing
-    EXPECT_TRUE(again.plan.rule(RuleId::keepFrame).applies);
+    EXPECT_FALSE(pair.draw(camera, 0.0).rule(RuleId::keepFrame).applies);
+    const FrameReport& again = pair.draw(camera, 5.0); // still water: time moves nothing
+    EXPECT_TRUE(again.rule(RuleId::keepFrame).applies);
     EXPECT_TRUE(again.passes.empty());
-    EXPECT_FALSE(pair.draw(cameraAt({0, 2, 6.9f}), 5.0).plan.rule(RuleId::keepFrame).applies);
+    EXPECT_FALSE(pair.draw(cameraAt({0, 2, 6.9f}), 5.0).rule(RuleId::keepFrame).applies);
     Options brighter = pair.options;
     brighter.frame.exposure = 2.0f;
     pair.change(brighter);
-    const FrameStats& changed = pair.draw(cameraAt({0, 2, 6.9f}), 5.0);
-    EXPECT_FALSE(changed.plan.rule(RuleId::keepFrame).applies);
+    const FrameReport& changed = pair.draw(cameraAt({0, 2, 6.9f}), 5.0);
+    EXPECT_FALSE(changed.rule(RuleId::keepFrame).applies);
     brighter.plan.rules[static_cast<std::size_t>(RuleId::keepFrame)] = false;
     pair.change(brighter);
     pair.draw(camera, 5.0);
-    EXPECT_FALSE(pair.draw(camera, 5.0).plan.rule(RuleId::keepFrame).applies);
+    EXPECT_FALSE(pair.draw(camera, 5.0).rule(RuleId::keepFrame).applies);
 }
 
 TEST(FrameKept, APausedMomentIsKeptAndTheNextOneIsNot)
@@ -116,8 +116,8 @@ TEST(FrameKept, APausedMomentIsKeptAndTheNextOneIsNot)
     Pair pair(scene, smallOptions());
     const Camera camera = cameraAt({0, 2, 7});
     pair.draw(camera, 0.5);
-    EXPECT_TRUE(pair.draw(camera, 0.5).plan.rule(RuleId::keepFrame).applies);
-    EXPECT_FALSE(pair.draw(camera, 0.6).plan.rule(RuleId::keepFrame).applies);
+    EXPECT_TRUE(pair.draw(camera, 0.5).rule(RuleId::keepFrame).applies);
+    EXPECT_FALSE(pair.draw(camera, 0.6).rule(RuleId::keepFrame).applies);
 }
 
 // Waves move, the eye does not: what the targets hold is the same but for the caustics in it.
@@ -130,8 +130,8 @@ TEST(FrameKept, TargetsStayWhileOnlyTheSurfaceMoves)
     Pair pair(scene, options);
     const Camera camera = cameraAt({0, 2, 7});
     pair.draw(camera, 0.0);
-    const FrameStats& moved = pair.draw(camera, 0.3);
-    EXPECT_TRUE(moved.plan.rule(RuleId::keepTargets).applies) << moved.plan.rule(RuleId::keepTargets).why;
+    const FrameReport& moved = pair.draw(camera, 0.3);
+    EXPECT_TRUE(moved.rule(RuleId::keepTargets).applies) << moved.rule(RuleId::keepTargets).why;
     EXPECT_FALSE(drew(moved, PassId::refraction));
     EXPECT_FALSE(drew(moved, PassId::reflection));
     EXPECT_TRUE(drew(pair.draw(cameraAt({0, 2.1f, 7}), 0.3), PassId::refraction));
@@ -148,9 +148,9 @@ TEST(FrameKept, CausticsOfStillWaterAreMadeOnce)
     options.caustics.extent = 40.0f; // all of the water, wherever the eye is
     Pair pair(scene, options);
     EXPECT_TRUE(drew(pair.draw(cameraAt({0, 2, 7}), 0.0), PassId::caustics));
-    const FrameStats& moved = pair.draw(cameraAt({1, 3, 6}), 1.0);
+    const FrameReport& moved = pair.draw(cameraAt({1, 3, 6}), 1.0);
     EXPECT_FALSE(drew(moved, PassId::caustics));
-    EXPECT_NE(moved.plan.rule(RuleId::keepMaps).why.find("caustics"), std::string::npos);
+    EXPECT_NE(moved.rule(RuleId::keepMaps).why.find("caustics"), std::string::npos);
     scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}};
     pair.water = scene.water;
     pair.change(pair.options);
@@ -167,7 +167,7 @@ TEST(FrameHiddenWater, NoFrameIsWrongWhenTheEyeJumps)
     Pair pair(scene, smallOptions());
     const Camera behind = cameraAt({0, 2, 20}, {0, 1, 0}), before = cameraAt({0, 2, 12}),
                  aside = cameraAt({0, 9.5f, 20});
-    const auto asks = [](const FrameStats& stats) { return stats.plan.rule(RuleId::waterHidden).applies; };
+    const auto asks = [](const FrameReport& stats) { return stats.rule(RuleId::waterHidden).applies; };
     EXPECT_FALSE(asks(pair.draw(before, 0.0)));
     EXPECT_FALSE(asks(pair.draw(behind, 0.1))) << "nothing hid the water before";
     EXPECT_TRUE(asks(pair.draw(behind, 0.2)));
@@ -209,7 +209,7 @@ TEST(FrameHiddenWater, BlocksComeBackInTheFrameThatSeesThem)
     scene.water.waves = {{0.05f, 2.0f, 0.4f, 0.0f, 0.0f}};
     addBox(scene, {-30, -2, 10}, {0, 8, 11}, 0);
     Pair pair(scene, smallOptions());
-    const auto asks = [](const FrameStats& stats) { return stats.plan.rule(RuleId::cullHidden).applies; };
+    const auto asks = [](const FrameReport& stats) { return stats.rule(RuleId::cullHidden).applies; };
     const Camera left = cameraAt({-6, 2, 14}, {-3, 0, 0}), right = cameraAt({9, 2, 14}, {0, 0, 0});
     EXPECT_FALSE(asks(pair.draw(left, 0.0))) << "nothing is known yet";
     EXPECT_TRUE(asks(pair.draw(left, 0.1)));
@@ -246,11 +246,11 @@ TEST(FrameLeftOut, ABedUnderTooMuchWaterIsNotMissed)
     scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
     scene.water.absorption = vec3(1.2f);
     Pair pair(scene, smallOptions());
-    EXPECT_TRUE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::bedTooDeep).applies);
+    EXPECT_TRUE(pair.draw(cameraAt({0, 2, 7}), 0.2).rule(RuleId::bedTooDeep).applies);
     scene.water.absorption = vec3(0.2f);
     pair.water = scene.water;
     pair.change(pair.options);
-    EXPECT_FALSE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::bedTooDeep).applies);
+    EXPECT_FALSE(pair.draw(cameraAt({0, 2, 7}), 0.2).rule(RuleId::bedTooDeep).applies);
 }
 
 TEST(FrameLeftOut, AGlowBehindTheEyeIsNotMissed)
@@ -261,8 +261,8 @@ TEST(FrameLeftOut, AGlowBehindTheEyeIsNotMissed)
     Options options = smallOptions();
     options.glow.strength = 10.0f;
     Pair pair(scene, options);
-    EXPECT_TRUE(pair.draw(cameraAt({0, 2, 7}), 0.2).plan.rule(RuleId::glowOutOfView).applies);
-    EXPECT_FALSE(pair.draw(cameraAt({0, 2, -7}), 0.2).plan.rule(RuleId::glowOutOfView).applies) << "towards the sun";
+    EXPECT_TRUE(pair.draw(cameraAt({0, 2, 7}), 0.2).rule(RuleId::glowOutOfView).applies);
+    EXPECT_FALSE(pair.draw(cameraAt({0, 2, -7}), 0.2).rule(RuleId::glowOutOfView).applies) << "towards the sun";
 }
 
 // A calm pond far away fills a strip of the picture. Only what its looks may need of the target is drawn; a debug view
@@ -275,14 +275,14 @@ TEST(FrameLeftOut, WhatNoWaterOnTheScreenCanMirrorIsNotMissed)
     addBox(scene, {-3, 1, -9}, {3, 4, -8}, 0);    // mirrored
     addBox(scene, {14, 1, -60}, {22, 6, -50}, 0); // in the mirrored camera's frustum, and in no mirror
     Pair pair(scene, smallOptions());
-    const auto triangles = [](const FrameStats& stats) {
-        for (const FrameStats::Pass& pass : stats.passes)
+    const auto triangles = [](const FrameReport& stats) {
+        for (const FrameReport::Pass& pass : stats.passes)
             if (pass.name == passName(PassId::reflection)) return pass.triangles;
         return std::size_t{0};
     };
     const Camera camera = cameraAt({3, 14, 30}, {0, 1, 0});
-    const FrameStats bounded = pair.draw(camera, 0.2);
-    EXPECT_TRUE(bounded.plan.rule(RuleId::targetBounds).applies) << bounded.plan.rule(RuleId::targetBounds).why;
+    const FrameReport bounded = pair.draw(camera, 0.2);
+    EXPECT_TRUE(bounded.rule(RuleId::targetBounds).applies) << bounded.rule(RuleId::targetBounds).why;
     pair.planned.renderer.render({camera, 0.2, size, DebugView::reflection, true});
     pair.full.renderer.render({camera, 0.2, size, DebugView::reflection});
     const Image a = pair.planned.renderer.readLinear(), b = pair.full.renderer.readLinear();
@@ -306,7 +306,7 @@ TEST(FrameLeftOut, DebugViewsOfTheSameMomentHaveIt)
     scene.water.waves = {{0.03f, 2.0f, 0.4f, 0.0f, 0.0f}};
     Pair pair(scene, smallOptions());
     const Camera camera = cameraAt({0, 2, 7});
-    EXPECT_TRUE(pair.draw(camera, 0.2).plan.rule(RuleId::onlySkyMirrored).applies);
+    EXPECT_TRUE(pair.draw(camera, 0.2).rule(RuleId::onlySkyMirrored).applies);
     for (const DebugView view : {DebugView::reflection, DebugView::reflectionHit, DebugView::positionW}) {
         pair.planned.renderer.render({camera, 0.2, size, view, true});
         pair.full.renderer.render({camera, 0.2, size, view});

@@ -74,7 +74,7 @@ TEST(Raycast, TheMapIsDrawnOnceForAllThatMoves)
     scene.water.waves = {wave};
     CheckedRenderer renderer(scene, raycastOptions());
     const auto trianglesOfMap = [&] {
-        for (const FrameStats::Pass& pass : renderer.stats.passes)
+        for (const FrameReport::Pass& pass : renderer.stats.passes)
             if (std::string(pass.name) == "heights") return pass.triangles;
         return std::size_t{0};
     };

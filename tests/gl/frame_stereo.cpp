@@ -267,9 +267,9 @@ TEST(Stereo, SunlightAndCausticsAreDrawnOnce)
     const auto drawCalls = [&](Options options, const char* pass) {
         options.plan.rules[static_cast<std::size_t>(RuleId::cullChunks)] = false; // each eye sees other parts
         TestRenderer test(scene, options);
-        FrameStats stats = test.renderer.render({overTheLake(), 0.0, eyeSize});
+        FrameReport stats = test.renderer.render({overTheLake(), 0.0, eyeSize});
         EXPECT_EQ(std::count_if(stats.passes.begin(), stats.passes.end(),
-                                [&](const FrameStats::Pass& p) { return p.name == pass; }),
+                                [&](const FrameReport::Pass& p) { return p.name == pass; }),
                   1);
         return stats.of(pass).drawCalls;
     };

@@ -60,9 +60,9 @@ Picture picture(const Scene& scene, const Camera& camera, bool cull)
     const auto shaders = makeShaderLibrary();
     gl::Profiler profiler;
     Renderer renderer(scene, options, *shaders, profiler);
-    const FrameStats stats = renderer.render({camera, 0.7, {160, 120}, DebugView::final});
+    const FrameReport stats = renderer.render({camera, 0.7, {160, 120}, DebugView::final});
     std::size_t triangles = 0; // of the scene: the water's grid is not culled
-    for (const FrameStats::Pass& pass : stats.passes)
+    for (const FrameReport::Pass& pass : stats.passes)
         if (pass.name != "water") triangles += pass.triangles;
     return {renderer.readLinear().floats, triangles};
 }

@@ -35,7 +35,7 @@ std::size_t builtInFlight(const Scene& scene, const Options& options, const std:
     bool seen[3] = {};
     for (int i = 0; i < frames; ++i) {
         const Camera camera = flightCamera(cameras, i / static_cast<double>(frames - 1));
-        const FrameStats& stats = test.renderer.render({camera, 0.1 * i, {32, 24}});
+        const FrameReport& stats = test.renderer.render({camera, 0.1 * i, {32, 24}});
         seen[static_cast<std::size_t>(stats.plan.side)] = true;
     }
     sides = static_cast<std::size_t>(seen[0]) + seen[1] + seen[2];

@@ -88,7 +88,7 @@ class Throwing : public FrameSource {
 public:
     bool draw(const FrameRequest&) override { throw Error("no picture today"); }
     const gl::Framebuffer& picture() const override { return framebuffer_; }
-    FrameReport report() const override { return {}; }
+    FrameDelivery delivery() const override { return {}; }
 
 private:
     gl::Framebuffer framebuffer_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/profiler.h"
+#include "gl/shader_library.h"
 #include "render/renderer.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ public:
         return renderer_.readLinear();
     }
     void setOptions(const Options& options, const WaterBody& water) { renderer_.setOptions(options, water); }
-    FrameStats stats; ///< of the last picture
+    FrameReport stats; ///< of the last picture
 
 private:
     std::unique_ptr<gl::ShaderLibrary> shaders_;

@@ -23,10 +23,10 @@ GovernorTuning tuningFor(const gl::Window& window)
 }
 
 /// What a frame took: on a card what the card did, or the processor where that was longer. 0: not known yet.
-double drawingMs(const FrameReport& report, bool isSoftware)
+double drawingMs(const FrameDelivery& delivery, bool isSoftware)
 {
-    if (isSoftware) return report.milliseconds;
-    for (const gl::PassTime& time : report.passes)
+    if (isSoftware) return delivery.milliseconds;
+    for (const gl::PassTime& time : delivery.passes)
         if (time.name == "frame") return std::max(time.gpuMs, time.wallMs);
     return 0.0;
 }
@@ -108,8 +108,8 @@ bool Viewer::isAnswered() const
 {
     if (part_.isFinal) return false;
     if (part_.sample == 0) return nothingToAsk() || picture_.answered() != answeredAtPart_;
-    const FrameReport& report = picture_.report();
-    return report.sample == part_.sample && report.options == governed_->drawn().options;
+    const FrameDelivery& delivery = picture_.delivery();
+    return delivery.sample == part_.sample && delivery.options == governed_->drawn().options;
 }
 
 /// Decides on the next frame once the last one is drawn, or at once when the person has touched anything.
@@ -137,12 +137,12 @@ void Viewer::govern(ivec2 size)
 void Viewer::noteDrawn()
 {
     if (!picture_.isFull()) return;
-    const FrameReport& report = picture_.report();
-    if (report.stats.plan.rule(RuleId::keepFrame).applies) return;
+    const FrameDelivery& delivery = picture_.delivery();
+    if (delivery.report.rule(RuleId::keepFrame).applies) return;
     if (part_.isFinal) disturbed_ = true; // a shader was edited: what was averaged is out of date
-    const double ms = drawingMs(report, window_.isSoftware());
+    const double ms = drawingMs(delivery, window_.isSoftware());
     const bool isBuilding = built_.valid(); // tiny frames between make the next one longer
-    if (ms > 0.0 && !isBuilding) governed_->took({report.options, report.sample, ms, lastFrame_});
+    if (ms > 0.0 && !isBuilding) governed_->took({delivery.options, delivery.sample, ms, lastFrame_});
 }
 
 /// A slice at a time, with frames between, so that neither the waves nor whatever is touched waits for more than a

@@ -105,7 +105,7 @@ void Viewer::redraw(ivec2 size)
     const gl::Framebuffer screen = gl::Framebuffer::window(size);
     picture_.copyTo(screen);
     widgets_.beginFrame();
-    drawWidgets(picture_.report().stats);
+    drawWidgets(picture_.delivery().report);
     screen.bind();
     widgets_.draw();
     window_.swap();
@@ -120,9 +120,9 @@ std::string Viewer::buildingNote() const
 /// The time between the renderer's pictures, unless it rested between them; a draft's own time.
 void Viewer::measure()
 {
-    const FrameReport& report = picture_.report();
+    const FrameDelivery& delivery = picture_.delivery();
     if (!picture_.isFull()) {
-        if (picture_.hasPicture()) rate_.add(1e-3 * report.milliseconds, {});
+        if (picture_.hasPicture()) rate_.add(1e-3 * delivery.milliseconds, {});
         return;
     }
     const int answered = picture_.answered();
@@ -136,11 +136,11 @@ void Viewer::measure()
         return;
     }
     std::vector<ShownTime> passes;
-    for (const gl::PassTime& time : report.passes) {
+    for (const gl::PassTime& time : delivery.passes) {
         const bool gpu = time.gpuMs >= 0.0 && !window_.isSoftware();
         if (time.name != "frame") passes.push_back({time.name, gpu ? time.gpuMs : time.wallMs});
     }
-    rate_.add(lastPicture_ > 0.0 ? now - lastPicture_ : 1e-3 * report.milliseconds, passes);
+    rate_.add(lastPicture_ > 0.0 ? now - lastPicture_ : 1e-3 * delivery.milliseconds, passes);
     lastPicture_ = now;
 }
 

@@ -223,7 +223,7 @@ void Viewer::compareNext()
     say("back at the reference's view");
 }
 
-void Viewer::drawWidgets(const FrameStats& stats)
+void Viewer::drawWidgets(const FrameReport& report)
 {
     if (compares()) comparison_->drawOverlay(widgets_.scale());
     const double now = lastFrame_;
@@ -233,22 +233,22 @@ void Viewer::drawWidgets(const FrameStats& stats)
                        .view = debugViewNames[static_cast<std::size_t>(view_)],
                        .time = clock_.time(),
                        .paused = clock_.paused(),
-                       .underwater = stats.plan.underwater,
-                       .triangles = stats.triangles(),
+                       .underwater = report.plan.underwater,
+                       .triangles = report.triangles(),
                        .stereo = stereoText(sceneSetup_.settings.options.stereo),
                        .comparison = compares() ? comparison_->note() : "",
                        .governor = picture_.isFull() ? governed_->text(rate_.framesPerSecond()) : "",
                        .draft = !picture_.isFull(),
                        .building = buildingNote(),
                        .message = now < messageUntil_ ? message_ : "",
-                       .shaderError = picture_.report().shaderError};
+                       .shaderError = picture_.delivery().shaderError};
     drawHud(hud, widgets_.scale());
     if (helpOpen_) drawHelp(widgets_.scale(), helpOpen_);
     if (panelOpen_) {
         std::function<void()> choice;
         choice = [&] {
             if (compares()) comparison_->drawChoice();
-            if (picture_.isFull()) drawPlan(toTable(stats.plan));
+            if (picture_.isFull()) drawPlan(toTable(report));
         };
         const PanelResult result = drawPanel(fieldTree(sceneSetup_.settings), widgets_.scale(), panelOpen_, choice);
         if (result.reset) sceneSetup_.settings = startSettings_;

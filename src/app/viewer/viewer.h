@@ -66,7 +66,7 @@ private:
     /// A reference is there, and one eye's picture to hold against it.
     bool compares() const { return comparison_ && !sceneSetup_.settings.options.stereo.isOn(); }
     void compareNext();
-    void drawWidgets(const FrameStats& stats);
+    void drawWidgets(const FrameReport& report);
     void say(const std::string& message);
 
     ViewCommand command_;

@@ -12,7 +12,7 @@ namespace tarn {
 
 using Method = CausticsOptions::Method;
 
-const gl::Target& CausticsPass::draw(const CausticsOptions& options, const Inputs& inputs, FrameStats::Pass& stats)
+const gl::Target& CausticsPass::draw(const CausticsOptions& options, const Inputs& inputs, FrameReport::Pass& stats)
 {
     castPhotons(options, inputs);
     // Sums need all of a float's digits, and more range than half floats have: any number of photons may meet.
@@ -108,7 +108,7 @@ gl::Program& CausticsPass::gatherProgram(Method method)
     return *program;
 }
 
-void CausticsPass::gatherPoints(const CausticsOptions& options, FrameStats::Pass& stats)
+void CausticsPass::gatherPoints(const CausticsOptions& options, FrameReport::Pass& stats)
 {
     const int count = options.photons * options.photons;
     gl::Program& program = gatherProgram(options.method);
@@ -133,7 +133,7 @@ void CausticsPass::gatherPoints(const CausticsOptions& options, FrameStats::Pass
     ++stats.drawCalls;
 }
 
-void CausticsPass::gatherMesh(const CausticsOptions& options, FrameStats::Pass& stats)
+void CausticsPass::gatherMesh(const CausticsOptions& options, FrameReport::Pass& stats)
 {
     gl::Program& program = gatherProgram(Method::mesh);
     if (bare_.label().empty()) bare_ = gl::VertexArray("fetched photons");

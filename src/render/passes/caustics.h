@@ -11,6 +11,7 @@
 #include "optics/blocks.h"
 #include "plan/options.h"
 #include "render/frame.h"
+#include "render/pass_interface.h"
 
 #include <map>
 #include <memory>
@@ -20,6 +21,8 @@ namespace tarn {
 
 class CausticsPass {
 public:
+    static PassInterface interface(const FramePlan&) { return {{Resource::sunDepth}, {Resource::caustics}}; }
+
     explicit CausticsPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
     struct Inputs {
@@ -31,7 +34,7 @@ public:
     };
 
     /// FrameBlock, WavesBlock and SunBlock must be bound. The texture has mipmaps.
-    const gl::Target& draw(const CausticsOptions& options, const Inputs& inputs, FrameStats::Pass& stats);
+    const gl::Target& draw(const CausticsOptions& options, const Inputs& inputs, FrameReport::Pass& stats);
     const gl::Target& target() const { return filtered_; }
 
     /// Of the last draw: four floats a photon (caustics_photons.frag), and the texture before its filter.
@@ -42,8 +45,8 @@ private:
     gl::Program& photonProgram(const CausticsOptions& options, const Inputs& inputs);
     void castPhotons(const CausticsOptions& options, const Inputs& inputs);
     void gatherOnProcessor(const CausticsOptions& options, const vec3& absorption);
-    void gatherPoints(const CausticsOptions& options, FrameStats::Pass& stats);
-    void gatherMesh(const CausticsOptions& options, FrameStats::Pass& stats);
+    void gatherPoints(const CausticsOptions& options, FrameReport::Pass& stats);
+    void gatherMesh(const CausticsOptions& options, FrameReport::Pass& stats);
     void filter(const CausticsOptions& options);
     /// @param axis of the texture, as the shader writes it
     gl::Program& filterProgram(const char* axis, int radius);

@@ -19,7 +19,8 @@ gl::Program& GlowPass::highlightProgram(const WaterOptions& options, const Input
     return *program;
 }
 
-const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const Inputs& inputs, FrameStats::Pass& stats)
+const gl::Target& GlowPass::draw(WaterGrid& grid, const Options& options, const Inputs& inputs,
+                                 FrameReport::Pass& stats)
 {
     highlight_.ensure({.size = inputs.size, .colours = {gl::Format::rgba16f}});
     gl::apply({.depthTest = gl::DepthTest::off, .depthWrite = false});

@@ -7,6 +7,7 @@
 #include "gl/visibility_query.h"
 #include "plan/options.h"
 #include "render/normal_map.h"
+#include "render/pass_interface.h"
 #include "render/water_grid.h"
 
 #include <map>
@@ -16,6 +17,8 @@ namespace tarn {
 
 class GlowPass {
 public:
+    static PassInterface interface(const FramePlan&) { return {{Resource::sceneDepth}, {Resource::glow}}; }
+
     explicit GlowPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
     struct Inputs {
@@ -27,7 +30,7 @@ public:
     };
 
     /// Highlight and filter. The result is on the display's scale.
-    const gl::Target& draw(WaterGrid& grid, const Options& options, const Inputs& inputs, FrameStats::Pass& stats);
+    const gl::Target& draw(WaterGrid& grid, const Options& options, const Inputs& inputs, FrameReport::Pass& stats);
 
     /// The filter alone: what it makes of a picture.
     const gl::Target& blur(const gl::Texture& source);

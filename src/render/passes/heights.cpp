@@ -23,7 +23,7 @@ View HeightsPass::view(const Inputs& inputs, Part part)
 }
 
 void HeightsPass::drawBed(const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs,
-                          const HeightsOptions& options, FrameStats::Pass& stats)
+                          const HeightsOptions& options, FrameReport::Pass& stats)
 {
     const int resolution = powerOfTwo(options.mapSize);
     map_.ensure({.size = ivec2(resolution),
@@ -43,7 +43,7 @@ void HeightsPass::drawBed(const View& view, SceneRenderer& sceneRenderer, const 
 }
 
 void HeightsPass::countSolid(const View& view, SceneRenderer& sceneRenderer, const HeightsOptions& options,
-                             FrameStats::Pass& stats)
+                             FrameReport::Pass& stats)
 {
     solid_.ensure(
         {.size = ivec2(powerOfTwo(options.mapSize)), .colours = {gl::Format::r16f}, .filter = gl::Filter::nearest});

@@ -10,6 +10,7 @@
 #include "optics/blocks.h"
 #include "plan/options.h"
 #include "render/height_field.h"
+#include "render/pass_interface.h"
 #include "render/scene_renderer.h"
 
 #include <optional>
@@ -18,6 +19,11 @@ namespace tarn {
 
 class HeightsPass {
 public:
+    static PassInterface interface(const FramePlan& plan)
+    {
+        return {{}, plan.drawsBedMap ? Resources{Resource::bedHeights} : Resources{}};
+    }
+
     struct Inputs {
         LevelRect rect;
         float lowest = 0.0f;        ///< of the scene, world y
@@ -35,9 +41,9 @@ public:
     /// A part seen from above. Its ViewBlock must be bound while it is drawn.
     static View view(const Inputs& inputs, Part part);
     void drawBed(const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs, const HeightsOptions& options,
-                 FrameStats::Pass& stats);
+                 FrameReport::Pass& stats);
     void countSolid(const View& view, SceneRenderer& sceneRenderer, const HeightsOptions& options,
-                    FrameStats::Pass& stats);
+                    FrameReport::Pass& stats);
     /// After both.
     void readHeights(const Inputs& inputs);
 

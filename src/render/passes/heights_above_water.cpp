@@ -37,7 +37,7 @@ View AboveWaterHeightsPass::view(const Inputs& inputs, From from)
 }
 
 void AboveWaterHeightsPass::draw(From from, const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs,
-                                 const HeightsOptions& options, FrameStats::Pass& stats)
+                                 const HeightsOptions& options, FrameReport::Pass& stats)
 {
     gl::Target& target = from == From::above ? above_ : below_;
     target.ensure({.size = ivec2(powerOfTwo(options.mapSize)),

@@ -7,6 +7,7 @@
 #include "optics/blocks.h"
 #include "plan/options.h"
 #include "render/height_field.h"
+#include "render/pass_interface.h"
 #include "render/scene_renderer.h"
 
 #include <optional>
@@ -15,6 +16,12 @@ namespace tarn {
 
 class AboveWaterHeightsPass {
 public:
+    static PassInterface interface(const FramePlan& plan)
+    {
+        if (!plan.drawsAboveWaterMap) return {};
+        return {{Resource::sunDepth}, {Resource::aboveWaterHeights}};
+    }
+
     struct Inputs {
         LevelRect rect;
         float lowest = 0.0f, highest = 0.0f; ///< world y; the lowest lies under the lowest trough
@@ -29,7 +36,7 @@ public:
     /// A view. Its ViewBlock must be bound for draw().
     static View view(const Inputs& inputs, From from);
     void draw(From from, const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs,
-              const HeightsOptions& options, FrameStats::Pass& stats);
+              const HeightsOptions& options, FrameReport::Pass& stats);
     /// After both.
     void readHeights(const Inputs& inputs);
 

@@ -6,6 +6,7 @@
 #include "gl/vertex_array.h"
 #include "plan/options.h"
 #include "render/debug_view.h"
+#include "render/pass_interface.h"
 
 #include <map>
 #include <memory>
@@ -14,6 +15,11 @@ namespace tarn {
 
 class PresentPass {
 public:
+    static PassInterface interface(const FramePlan&)
+    {
+        return {{Resource::sceneColour, Resource::glow}, {Resource::picture}};
+    }
+
     explicit PresentPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
     /// @param source linear; for a debug view its raw values

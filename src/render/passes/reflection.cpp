@@ -5,7 +5,7 @@
 namespace tarn {
 
 const gl::Target& ReflectionPass::draw(SceneRenderer& sceneRenderer, const ReflectionOptions& options,
-                                       const Inputs& inputs, FrameStats::Pass& stats)
+                                       const Inputs& inputs, FrameReport::Pass& stats)
 {
     target_.ensure({.size = ivec2(options.targetSize), .colours = {gl::Format::rgba16f}, .depth = gl::Format::depth24});
     gl::apply({});

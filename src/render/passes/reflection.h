@@ -3,12 +3,18 @@
 
 #include "gl/target.h"
 #include "plan/options.h"
+#include "render/pass_interface.h"
 #include "render/scene_renderer.h"
 
 namespace tarn {
 
 class ReflectionPass {
 public:
+    static PassInterface interface(const FramePlan&)
+    {
+        return {{Resource::sunDepth, Resource::caustics}, {Resource::reflection}};
+    }
+
     struct Inputs {
         const View& view;
         bool underwater = false; ///< the eye is below the surface, which mirrors the bed
@@ -17,7 +23,7 @@ public:
     };
 
     const gl::Target& draw(SceneRenderer& sceneRenderer, const ReflectionOptions& options, const Inputs& inputs,
-                           FrameStats::Pass& stats);
+                           FrameReport::Pass& stats);
     const gl::Target& target() const { return target_; }
 
 private:

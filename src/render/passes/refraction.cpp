@@ -6,7 +6,7 @@
 namespace tarn {
 
 const gl::Target& RefractionPass::draw(SceneRenderer& sceneRenderer, const RefractionOptions& options,
-                                       const Inputs& inputs, FrameStats::Pass& stats)
+                                       const Inputs& inputs, FrameReport::Pass& stats)
 {
     // Depth-buffer values are linear in screen space on any plane, so that filtering them is exact on flat ground and
     // good to second order on a smooth bed.

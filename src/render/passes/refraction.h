@@ -4,12 +4,18 @@
 
 #include "gl/target.h"
 #include "plan/options.h"
+#include "render/pass_interface.h"
 #include "render/scene_renderer.h"
 
 namespace tarn {
 
 class RefractionPass {
 public:
+    static PassInterface interface(const FramePlan&)
+    {
+        return {{Resource::sunDepth, Resource::caustics}, {Resource::refraction}};
+    }
+
     struct Inputs {
         const View& view;
         bool underwater = false; ///< the eye is below the surface: the far side is the air
@@ -19,7 +25,7 @@ public:
     };
 
     const gl::Target& draw(SceneRenderer& sceneRenderer, const RefractionOptions& options, const Inputs& inputs,
-                           FrameStats::Pass& stats);
+                           FrameReport::Pass& stats);
     const gl::Target& target() const { return target_; }
 
 private:

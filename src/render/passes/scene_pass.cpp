@@ -5,7 +5,7 @@
 namespace tarn {
 
 void ScenePass::draw(SceneRenderer& sceneRenderer, const gl::Target& frame, const Inputs& inputs,
-                     FrameStats::Pass& stats) const
+                     FrameReport::Pass& stats) const
 {
     gl::apply({});
     frame.bind();

@@ -2,12 +2,19 @@
 #pragma once
 
 #include "gl/target.h"
+#include "render/pass_interface.h"
 #include "render/scene_renderer.h"
 
 namespace tarn {
 
 class ScenePass {
 public:
+    static PassInterface interface(const FramePlan&)
+    {
+        return {{Resource::sunDepth, Resource::caustics},
+                {Resource::sceneColour, Resource::sceneDepth, Resource::waterline}};
+    }
+
     struct Inputs {
         const View& view;
         SceneVariant variant;
@@ -17,7 +24,7 @@ public:
 
     /// Clears the target and draws into it.
     void draw(SceneRenderer& sceneRenderer, const gl::Target& frame, const Inputs& inputs,
-              FrameStats::Pass& stats) const;
+              FrameReport::Pass& stats) const;
 };
 
 } // namespace tarn

@@ -26,7 +26,7 @@ void SunlightPass::ensureLayers(const SunlightOptions& options, std::size_t casc
 }
 
 void SunlightPass::draw(SunLayer layer, std::size_t cascade, const View& view, SceneRenderer& sceneRenderer,
-                        const Inputs& inputs, const SunlightOptions& options, bool cull, FrameStats::Pass& stats)
+                        const Inputs& inputs, const SunlightOptions& options, bool cull, FrameReport::Pass& stats)
 {
     ensureLayers(options, inputs.volume.cascades.size());
     const gl::Framebuffer& target = layers_.at(layer == SunLayer::submerged ? 0 : 1 + cascade);

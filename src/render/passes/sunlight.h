@@ -4,6 +4,7 @@
 
 #include "gl/framebuffer.h"
 #include "plan/options.h"
+#include "render/pass_interface.h"
 #include "render/scene_renderer.h"
 #include "render/sun_views.h"
 
@@ -14,6 +15,8 @@ namespace tarn {
 
 class SunlightPass {
 public:
+    static PassInterface interface(const FramePlan&) { return {{}, {Resource::sunDepth}}; }
+
     struct Inputs {
         SunVolume volume;
         vec3 toSun;      ///< unit, above the horizon
@@ -31,7 +34,7 @@ public:
     /// Draws one map. The view's ViewBlock must be bound.
     /// @param cascade of the layer; what is submerged has one
     void draw(SunLayer layer, std::size_t cascade, const View& view, SceneRenderer& sceneRenderer, const Inputs& inputs,
-              const SunlightOptions& options, bool cull, FrameStats::Pass& stats);
+              const SunlightOptions& options, bool cull, FrameReport::Pass& stats);
     /// After all of them.
     void keep(const Inputs& inputs, const SunlightOptions& options);
 

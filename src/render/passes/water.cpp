@@ -128,7 +128,7 @@ gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
 }
 
 void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& options, const Inputs& inputs,
-                     FrameStats::Pass& stats)
+                     FrameReport::Pass& stats)
 {
     gl::Program& p = program(options, inputs);
     const auto use = [&] {

@@ -7,6 +7,7 @@
 #include "render/frame.h"
 #include "render/fresnel_texture.h"
 #include "render/normal_map.h"
+#include "render/pass_interface.h"
 #include "render/passes/heights.h"
 #include "render/passes/heights_above_water.h"
 #include "render/view.h"
@@ -20,6 +21,15 @@ namespace tarn {
 
 class WaterPass {
 public:
+    static PassInterface interface(const FramePlan& plan)
+    {
+        Resources reads{Resource::sceneColour, Resource::sceneDepth, Resource::refraction, Resource::reflection};
+        if (plan.side == WaterSide::crossing) reads = reads | Resources{Resource::waterline};
+        if (plan.raycastsBed) reads = reads | Resources{Resource::bedHeights, Resource::sunDepth, Resource::caustics};
+        if (plan.raycastsMirror) reads = reads | Resources{Resource::aboveWaterHeights};
+        return {reads, {Resource::sceneColour, Resource::sceneDepth}};
+    }
+
     explicit WaterPass(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
     /// The bed's map of heights, and what lights the bed where a ray meets it.
@@ -52,7 +62,7 @@ public:
 
     /// Draws over what the frame's target holds, with its depth.
     void draw(const gl::Target& frame, WaterGrid& grid, const Options& options, const Inputs& inputs,
-              FrameStats::Pass& stats);
+              FrameReport::Pass& stats);
 
 private:
     gl::ShaderLibrary& shaders_;
