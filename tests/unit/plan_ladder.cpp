@@ -194,7 +194,7 @@ TEST(LadderFile, TheShippedOneIsValid)
 {
     const Ladder ladder = readLadder(shippedLadder());
     EXPECT_GE(ladder.rungs.size(), 3u);
-    EXPECT_LT(ladder.rungs.back().cost, 0.5);
+    EXPECT_LT(ladder.rungs.back().cost, 0.25);
     std::vector<Options> sets;
     std::vector<OwnRung> rungs = rungsBelow(Options{}, ladder);
     std::reverse(rungs.begin(), rungs.end()); // as they are built
