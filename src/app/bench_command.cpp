@@ -1,6 +1,7 @@
 // tarn bench: what the frame costs with the water, without it, and with any option changed; or a table of the
 // thesis, measured here.
 #include "app/bench_interactive.h"
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/machine.h"
 #include "app/plan_report.h"
@@ -160,6 +161,55 @@ void run(const BenchCommand& command)
         fmt::print("{}", command.table ? toMarkdown(*command.table, report) + yardstickLines(report) : toTable(report));
         if (!command.table) fmt::print("{}", toTable(fractions));
     }
+}
+
+MakeCommand defineBench(Flags& flags)
+{
+    auto command = std::make_shared<BenchCommand>();
+    command->view.size = {1024, 768};
+    addSceneFlags(flags, command->scene);
+    addViewFlags(flags, command->view);
+    flags.count("--frames", "Frames measured of each configuration", command->frames, 1, 1000000);
+    flags.count("--warm-up", "Frames drawn first and not counted", command->warmUp, 0, 10000);
+    flags.list("--vary", "KEY=VALUE", "Measure one more configuration, with this option set", command->variants);
+    flags.toggle("--flight",
+                 "Fly past the scene's cameras, from the first to the last, in the frames that are measured",
+                 command->flight);
+    flags.toggle("--yardstick",
+                 "Measure one plain pass of 100,352 textured triangles at 1024x768 too, and tell all else in it",
+                 command->yardstick);
+    flags.toggle("--rules", "Measure the frame plan: without each rule that applies, and without all of them",
+                 command->rules);
+    flags.toggle("--interactive",
+                 "Fly past the scene's cameras at real speed: times of frames, and from input to picture",
+                 command->interactive);
+    flags.number("--seconds", "S", "Length of the flight of --interactive, s", command->seconds, 0.1, 3600.0);
+    flags.value("--table", "N", "Measure table 2 or 3 of Mihalik 2008, chapter 10, beside its figures",
+                [command = command.get()](const std::string& text, const std::string& flag) {
+                    command->table = &findPaperTable(text, flag);
+                });
+    flags.toggle(
+        "--startup",
+        "Measure when this process, since it began, has its scene, its first picture and all its programs; with "
+        "MESA_SHADER_CACHE_DIR set to an empty folder that is a first start",
+        command->startup);
+    flags.json(command->json);
+    return [command] {
+        if (command->interactive &&
+            (command->table || command->flight || command->rules || command->yardstick || !command->variants.empty()))
+            throw UsageError("--interactive has a flight of its own; leave --table, --flight, --rules, --yardstick and "
+                             "--vary away");
+        if (command->startup && (command->table || command->flight || command->rules || command->yardstick ||
+                                 command->interactive || !command->variants.empty()))
+            throw UsageError(
+                "--startup measures one start; leave --table, --flight, --rules, --yardstick, --interactive and "
+                "--vary away");
+        if (command->table && !command->variants.empty())
+            throw UsageError("--table has configurations of its own; leave --vary away");
+        if (command->table && (command->flight || command->rules))
+            throw UsageError("--table has a view and configurations of its own; leave --flight and --rules away");
+        return *command;
+    };
 }
 
 } // namespace tarn

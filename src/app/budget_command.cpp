@@ -1,4 +1,5 @@
 // tarn budget: which part of a picture's error each approximation of the frame owns.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/error_budget.h"
 #include "app/scene_setup.h"
@@ -43,6 +44,22 @@ void run(const BudgetCommand& command)
     if (command.json == "-") return;
     fmt::print("{} at {} s, {}x{} pixels, reference of {} samples\n{}", camera.name, command.view.time,
                command.view.size.x, command.view.size.y, command.reference.samples, budgetTable(budget));
+}
+
+MakeCommand defineBudget(Flags& flags)
+{
+    auto command = std::make_shared<BudgetCommand>();
+    BudgetCommand& c = *command;
+    c.view.size = {320, 240};
+    c.reference.samples = 32;
+    c.reference.photons = 4'000'000; // traced anew for every part that bends light
+    addSceneFlags(flags, c.scene);
+    addViewFlags(flags, c.view);
+    flags.count("--samples", "Paths through each pixel of the reference", c.reference.samples, 1, 65536);
+    flags.count("--photons", "Photons that find the sun's light under water", c.reference.photons, 10'000,
+                2'000'000'000);
+    flags.json(c.json);
+    return [command] { return *command; };
 }
 
 } // namespace tarn

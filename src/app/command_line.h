@@ -1,4 +1,5 @@
-// What a person asked for: arguments in, one plain struct out. The only face that Tarn has to CLI11.
+// What a person asked for: arguments in, one plain struct out. The flags of each command stand in its own file
+// (command_flags.h).
 #pragma once
 
 #include "app/settings.h"

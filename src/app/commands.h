@@ -1,11 +1,34 @@
-// The subcommands. Results go to standard output; each throws Error when it fails.
+// The subcommands: what flags each has, and what it does. Results go to standard output; each throws Error when it
+// fails.
 #pragma once
 
 #include "app/command_line.h"
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
+
 namespace tarn {
+
+class Flags;
+
+/// Makes a command once its flags have their values. Throws UsageError for values that do not go together.
+using MakeCommand = std::function<Command()>;
+
+/// Each declares the flags of one command, in the file that runs it.
+MakeCommand defineView(Flags& flags);
+MakeCommand defineRender(Flags& flags);
+MakeCommand defineReference(Flags& flags);
+MakeCommand defineBench(Flags& flags);
+MakeCommand defineTrade(Flags& flags);
+MakeCommand defineTune(Flags& flags);
+MakeCommand defineBudget(Flags& flags);
+MakeCommand defineExplain(Flags& flags);
+MakeCommand defineMaps(Flags& flags);
+MakeCommand defineCompare(Flags& flags);
+MakeCommand defineDisparity(Flags& flags);
+MakeCommand defineOptions(Flags& flags);
+MakeCommand defineInfo(Flags& flags);
 
 void run(const PrintCommand& command);
 void run(const RenderCommand& command);

@@ -1,4 +1,5 @@
 // tarn compare: how different are two pictures, to the eye and in their values?
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "base/error.h"
@@ -251,6 +252,39 @@ void run(const CompareCommand& command)
     if (command.maxFlip && comparison.meanFlip > *command.maxFlip)
         throw Error("{}: mean FLIP {:.6f} is over --max-flip {}", command.test.string(), comparison.meanFlip,
                     *command.maxFlip);
+}
+
+namespace {
+
+std::string parseToneCurve(const std::string& text, const std::string& flag)
+{
+    Options options; // the option's own check, so that its names stand in one place
+    assign([&](FieldVisitor& visitor) { visit(visitor, options); }, {"frame.tone_curve", text, flag});
+    return text;
+}
+
+} // namespace
+
+MakeCommand defineCompare(Flags& flags)
+{
+    auto command = std::make_shared<CompareCommand>();
+    CompareCommand& c = *command;
+    flags.path("REFERENCE", "FILE", "The picture that is right: .png, .jpg, or .exr (linear)", c.reference);
+    flags.path("TEST", "FILE", "The picture to judge, of the same size", c.test);
+    flags.path("--out", "FILE", "Map of the differences seen: .png as colours, .exr as FLIP's values", c.out);
+    flags.number("--exposure", "E", "Factor on linear pictures; the reference's own by default", c.exposure, 0.0,
+                 1000.0);
+    flags.value("--tone-curve", "NAME", "linear, reinhard or aces; the reference's own by default",
+                [&c](const std::string& text, const std::string& flag) { c.toneCurve = parseToneCurve(text, flag); });
+    flags.number("--ppd", "P", "Pixels that fill a degree of the viewer's sight", c.pixelsPerDegree,
+                 leastPixelsPerDegree, mostPixelsPerDegree);
+    flags.number("--max-flip", "X", "Fail when the mean FLIP is over X", c.maxFlip, 0.0, 1.0);
+    flags.json(c.json);
+    return [command]() -> Command {
+        if (command->test.empty())
+            throw UsageError("compare needs two pictures, such as compare reference.png test.png");
+        return *command;
+    };
 }
 
 } // namespace tarn

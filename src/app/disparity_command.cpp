@@ -1,5 +1,6 @@
 // tarn disparity: whether both eyes of a drawn pair agree on where things in the water are, as the reference's pair
 // does.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/picture_header.h"
@@ -11,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tarn {
@@ -141,6 +143,31 @@ void run(const DisparityCommand& command)
     fmt::print("{} at {} s, {}x{} pixels an eye\n", left.view.camera.name, left.view.time, left.picture.size.x,
                left.picture.size.y);
     for (std::size_t way = 0; way < errors.size(); ++way) print(static_cast<ShownBy>(way), errors[way]);
+}
+
+MakeCommand defineDisparity(Flags& flags)
+{
+    auto command = std::make_shared<DisparityCommand>();
+    DisparityCommand& c = *command;
+    addSceneFlags(flags, c.scene);
+    flags.path("--reference", "FILE", "NAME.exr, for the pair NAME-left.exr and NAME-right.exr of tarn reference",
+               c.reference);
+    flags.path("--out", "FILE", "Map of the error over the left picture: .png as colours, .exr as pixels", c.out);
+    flags.value("--of", "WAY", "What the map shows: refraction (by default) or reflection",
+                [&c](const std::string& text, const std::string& flag) {
+                    const auto found = std::find(shownByNames.begin(), shownByNames.end(), text);
+                    if (found == shownByNames.end())
+                        throw UsageError("{} {}: no such way; there are {}", flag, text, fmt::join(shownByNames, ", "));
+                    c.mapped = static_cast<ShownBy>(found - shownByNames.begin());
+                });
+    flags.number("--scale", "PX", "Error that the map shows in full colour, pixels", c.scale, 1e-6, 1e6);
+    flags.json(c.json);
+    return [command]() -> Command {
+        if (command->reference.empty())
+            throw UsageError("disparity needs --reference FILE; make the pair with: tarn reference --set "
+                             "stereo.output=pair --out truth.exr");
+        return *command;
+    };
 }
 
 } // namespace tarn

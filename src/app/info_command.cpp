@@ -1,4 +1,5 @@
 // tarn info: what this program, machine and scene are.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/scene_setup.h"
 #include "app/version.h"
@@ -86,6 +87,14 @@ void run(const InfoCommand& command)
     writeJson(command.json, info);
     if (command.json == "-") return;
     for (const char* section : {"program", "machine", "scene"}) printSection(section, info[section]);
+}
+
+MakeCommand defineInfo(Flags& flags)
+{
+    auto command = std::make_shared<InfoCommand>();
+    addSceneFlags(flags, command->scene);
+    flags.json(command->json);
+    return [command] { return *command; };
 }
 
 } // namespace tarn

@@ -1,4 +1,5 @@
 // tarn maps: what rays are marched through, as pictures that a scene file can name.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/session.h"
@@ -75,6 +76,18 @@ void run(const MapsCommand& command)
     writeJson(command.json, {{"scene", sceneSetup.scene.file.string()}, {"maps", files}});
     if (command.json == "-") return;
     for (const nlohmann::json& file : files) fmt::print("{}\n", file.at("file").get<std::string>());
+}
+
+MakeCommand defineMaps(Flags& flags)
+{
+    auto command = std::make_shared<MapsCommand>();
+    addSceneFlags(flags, command->scene);
+    flags.path("--out", "DIR", "Folder of bed.exr and above_water.exr; made when it is not there", command->out);
+    flags.json(command->json);
+    return [command]() -> Command {
+        if (command->out.empty()) throw UsageError("maps needs --out DIR, a folder for bed.exr and above_water.exr");
+        return *command;
+    };
 }
 
 } // namespace tarn

@@ -1,4 +1,5 @@
 // The commands that only tell: --help, options, explain; and where JSON goes.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/options_markdown.h"
 #include "app/output.h"
@@ -102,6 +103,28 @@ void run(const ExplainCommand& command)
                                      complexity ? &*complexity : nullptr, &visibility);
     writeJson(command.json, toJson(plan));
     if (command.json != "-") fmt::print("{}", toTable(plan));
+}
+
+MakeCommand defineExplain(Flags& flags)
+{
+    auto command = std::make_shared<ExplainCommand>();
+    command->view.size = {1024, 768};
+    addSceneFlags(flags, command->scene);
+    addViewFlags(flags, command->view);
+    flags.json(command->json);
+    return [command] { return *command; };
+}
+
+MakeCommand defineOptions(Flags& flags)
+{
+    auto command = std::make_shared<OptionsCommand>();
+    flags.optionalText("--json", "FILE", "As JSON, to this file or to standard output", command->json, "-");
+    flags.toggle("--markdown", "As tables in Markdown, one for each group", command->markdown);
+    return [command]() -> Command {
+        if (command->markdown && !command->json.empty())
+            throw UsageError("--markdown or --json: options writes one of them");
+        return *command;
+    };
 }
 
 } // namespace tarn

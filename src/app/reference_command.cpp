@@ -1,4 +1,5 @@
 // tarn reference: ground truth by ray tracing.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/output.h"
@@ -132,6 +133,36 @@ void run(const ReferenceCommand& command)
         if (command.json != "-") print(command, shots[i], reports[i]);
     }
     writeJson(command.json, shots.size() == 1 ? json.front() : json);
+}
+
+MakeCommand defineReference(Flags& flags)
+{
+    auto command = std::make_shared<ReferenceCommand>();
+    ReferenceCommand& c = *command;
+    c.view.size = {640, 480};
+    addSceneFlags(flags, c.scene);
+    addViewFlags(flags, c.view);
+    flags.text("--out", "FILE", "Picture: .exr with every channel, .png as it would be shown", c.out);
+    flags.count("--samples", "Paths through each pixel", c.reference.samples, 1, 65536);
+    flags.count("--depth", "Meetings with the water's surface that a path follows", c.reference.depth, 1, 16);
+    flags.count("--bounces", "Diffuse reflections of light between bed, objects and surface", c.reference.bounces, 0,
+                64);
+    flags.count("--photons", "Photons that find the sun's light under water", c.reference.photons, 10'000,
+                2'000'000'000);
+    flags.count("--seed", "Of all random numbers", c.reference.seed, 0, 2'000'000'000);
+    auto half = std::make_shared<bool>(false);
+    flags.toggle("--half", "Half the size, a quarter of the samples and photons: a quick look", *half);
+    flags.json(c.json);
+    return [command, half]() -> Command {
+        if (command->out.empty()) throw UsageError("reference needs --out FILE, such as --out truth.exr");
+        ReferenceCommand result = *command;
+        if (*half) {
+            result.view.size = glm::max(result.view.size / 2, ivec2(1));
+            result.reference.samples = std::max(result.reference.samples / 4, 1);
+            result.reference.photons = std::max(result.reference.photons / 4, 10'000);
+        }
+        return result;
+    };
 }
 
 } // namespace tarn

@@ -1,4 +1,5 @@
 // tarn render: pictures of a scene, one, a sequence, or one from each camera.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/picture_header.h"
@@ -155,6 +156,77 @@ void run(const RenderCommand& command)
     writeJson(command.json, json);
     if (command.json != "-")
         for (const std::filesystem::path& file : written) fmt::print("{}\n", file.string());
+}
+
+namespace {
+
+DebugView parseDebugView(const std::string& text, const std::string& flag)
+{
+    if (const auto view = debugViewFromName(text)) return *view;
+    const std::vector<std::string> names(debugViewNames.begin(), debugViewNames.end());
+    throw UsageError("{} {}: no such view; there are {}", flag, text, fmt::join(names, ", "));
+}
+
+ErrorKind parseErrorKind(const std::string& text, const std::string& flag)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < errorKinds.size(); ++i) {
+        if (text == errorKinds[i].name) return static_cast<ErrorKind>(i);
+        names.emplace_back(errorKinds[i].name);
+    }
+    throw UsageError("{} {}: no such error; there are {}", flag, text, fmt::join(names, ", "));
+}
+
+void addErrorMap(Flags& flags, RenderCommand& c)
+{
+    flags.value("--error", "KIND",
+                "A map of what the water has wrong: refraction, reflection, fresnel, path or caustics",
+                [&c](const std::string& text, const std::string& flag) { c.error = parseErrorKind(text, flag); });
+    flags.path("--reference", "FILE", "What --error compares with; gives camera, time and size", c.reference);
+    flags.number("--error-scale", "X", "Error that --error shows in full colour, in m, degrees or as a fraction",
+                 c.errorScale, 1e-9, 1e9);
+}
+
+void requireMeaning(const RenderCommand& c)
+{
+    if (!c.error && !c.reference.empty())
+        throw UsageError("--reference is for --error; name one, such as --error path");
+    if (!c.error && c.errorScale > 0.0)
+        throw UsageError("--error-scale is for --error; name one, such as --error path");
+    if (!c.error) return;
+    if (c.reference.empty())
+        throw UsageError("--error needs --reference FILE; make one with: tarn reference --out truth.exr");
+    if (c.frames > 1 || c.allCameras || c.debugView != DebugView::final)
+        throw UsageError("--error makes one map; leave --frames, --all-cameras and --view away");
+}
+
+} // namespace
+
+MakeCommand defineRender(Flags& flags)
+{
+    auto command = std::make_shared<RenderCommand>();
+    RenderCommand& c = *command;
+    c.view.size = {1024, 768};
+    addSceneFlags(flags, c.scene);
+    addViewFlags(flags, c.view);
+    flags.value("--view", "NAME", "Show an intermediate picture: fresnel, path-length, …",
+                [&c](const std::string& text, const std::string& flag) { c.debugView = parseDebugView(text, flag); });
+    flags.text("--out", "FILE", "Picture: .png tone-mapped, .exr linear; name_%04d.png for a sequence", c.out);
+    flags.count("--frames", "Pictures in the sequence", c.frames, 1, 1000000);
+    flags.number("--fps", "F", "Pictures per second of the sequence", c.fps, 1e-3, 1e4);
+    flags.toggle("--all-cameras", "A picture from each camera; --out names their folder", c.allCameras);
+    flags.toggle("--check", "Fail when a pass makes NaN, infinity or negative radiance", c.check);
+    addErrorMap(flags, c);
+    flags.json(c.json);
+    return [command]() -> Command {
+        if (command->out.empty()) throw UsageError("render needs --out FILE, such as --out lake.png");
+        if (command->allCameras && command->frames > 1)
+            throw UsageError("--all-cameras makes one picture each; leave --frames away");
+        if (command->allCameras && !command->view.camera.name.empty())
+            throw UsageError("--all-cameras renders every camera; leave --camera away");
+        requireMeaning(*command);
+        return *command;
+    };
 }
 
 } // namespace tarn

@@ -1,6 +1,8 @@
 // tarn trade: what every setting costs in time and in accuracy, measured, stored and told.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/parse.h"
 #include "app/trade_experiment.h"
 #include "app/version.h"
 #include "base/error.h"
@@ -15,6 +17,7 @@
 
 #include <csignal>
 #include <ctime>
+#include <tuple>
 
 namespace tarn {
 
@@ -202,6 +205,53 @@ void run(const TradeCommand& command)
     writeResults(command, sceneSetup, setup, store, results);
     if (!command.writePresets.empty()) writePresets(command, sceneSetup, setup, results);
     if (!command.writeLadder.empty() && results.complete()) writeLadder(command, sceneSetup, setup, results);
+}
+
+MakeCommand defineTrade(Flags& flags)
+{
+    auto command = std::make_shared<TradeCommand>();
+    TradeCommand& c = *command;
+    addSceneFlags(flags, c.scene);
+    flags.path("--out", "DIR", "Folder of the results, the tables and report.html; made when it is not there", c.out);
+    flags.list("--sweep", "KEY=VALUES",
+               "Sweep an option: 1:8, 1:64:*2, 0:1:0.25 or a,b,c, and a,b@OTHER=c while another is set; a plan of "
+               "its own by default",
+               c.sweeps);
+    flags.toggle("--grid", "Every combination of the sweeps, instead of one option at a time", c.grid);
+    flags.toggle("--presets-only", "Measure the options as given and the presets, and sweep nothing", c.presetsOnly);
+    flags.value("--views", "NAMES", "Cameras, a,b,c; the scene's first eight by default",
+                [&c](const std::string& text, const std::string& flag) { c.views = parseNames(text, flag); });
+    flags.value("--times", "S,S",
+                "Times of the waves, s, all of them in each view; by default the views take turns at 0 and 1.7",
+                [&c](const std::string& text, const std::string& flag) { c.times = parseNumbers(text, flag); });
+    flags.size("Size of the pictures, pixels", c.size);
+    flags.count("--frames", "Frames timed of each setting", c.frames, 1, 100000);
+    flags.count("--samples", "Paths through each pixel of the reference", c.samples, 1, 65536);
+    flags.value("--shard", "I/N", "Measure only part I of N; --merge puts the parts together",
+                [&c](const std::string& text, const std::string& flag) {
+                    std::tie(c.shard, c.shards) = parseShard(text, flag);
+                });
+    auto merge = std::make_shared<std::vector<std::string>>();
+    flags.list("--merge", "DIR", "Put another folder's results into --out and measure nothing; may be repeated",
+               *merge);
+    flags.toggle("--fresh", "Throw the results in --out away and start anew", c.fresh);
+    flags.path("--write-presets", "DIR",
+               "Write fast, low, medium, high and best.toml, picked from the front; with --write-ladder fast.toml",
+               c.writePresets);
+    flags.path("--write-ladder", "FILE",
+               "Measure what is cheaper than the settings, and write the front as a ladder for the viewer's governor",
+               c.writeLadder);
+    flags.finally([merge, &c] { c.merge.assign(merge->begin(), merge->end()); });
+    return [command]() -> Command {
+        if (command->out.empty()) throw UsageError("trade needs --out DIR, a folder for its results");
+        if (!command->writeLadder.empty() && (!command->sweeps.empty() || command->grid || command->presetsOnly))
+            throw UsageError("--write-ladder has a plan of its own; leave --sweep, --grid and --presets-only away");
+        if (command->shards > 1 && !command->writeLadder.empty())
+            throw UsageError("--shard measures a part only; leave --write-ladder away");
+        if (command->shards > 1 && (!command->merge.empty() || !command->writePresets.empty()))
+            throw UsageError("--shard measures a part only; leave --merge and --write-presets away");
+        return *command;
+    };
 }
 
 } // namespace tarn

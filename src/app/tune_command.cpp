@@ -1,4 +1,5 @@
 // tarn tune: the settings for this machine that keep a limit of error, or of time.
+#include "app/command_flags.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/trade_experiment.h"
@@ -84,6 +85,28 @@ void run(const TuneCommand& command)
         writeFile(command.out, text);
         fmt::print("{}: {}\n", command.out.string(), foundText(outcome.best));
     }
+}
+
+MakeCommand defineTune(Flags& flags)
+{
+    auto command = std::make_shared<TuneCommand>();
+    TuneCommand& c = *command;
+    addSceneFlags(flags, c.scene);
+    flags.number("--max-error", "FLIP", "The cheapest settings with at most this mean FLIP", c.maxError, 0.0, 1.0);
+    flags.number("--budget-ms", "MS", "The most accurate settings within so many milliseconds a frame", c.budgetMs,
+                 1e-3, 1e6);
+    flags.list("--camera", "NAME", "A camera to tune for; may be repeated; the scene's first four by default",
+               c.cameras);
+    flags.size("Size of the picture, pixels", c.size);
+    flags.number("--time", "S", "Time of the waves, s", c.time, -1e6, 1e6);
+    flags.count("--frames", "Frames timed of each setting", c.frames, 1, 100000);
+    flags.count("--samples", "Paths through each pixel of the reference", c.samples, 1, 65536);
+    flags.path("--out", "FILE", "A file for --options; standard output by default", c.out);
+    return [command]() -> Command {
+        if (command->maxError.has_value() == command->budgetMs.has_value())
+            throw UsageError("tune needs one goal: --max-error FLIP or --budget-ms MS");
+        return *command;
+    };
 }
 
 } // namespace tarn
