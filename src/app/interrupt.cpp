@@ -20,14 +20,14 @@ extern "C" void onSignal(int signal)
 InterruptGuard::InterruptGuard()
 {
     interrupted = false;
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    interruptBefore_ = std::signal(SIGINT, onSignal);
+    terminateBefore_ = std::signal(SIGTERM, onSignal);
 }
 
 InterruptGuard::~InterruptGuard()
 {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGINT, interruptBefore_);
+    std::signal(SIGTERM, terminateBefore_);
 }
 
 const std::atomic<bool>& InterruptGuard::flag() { return interrupted; }

@@ -1,11 +1,12 @@
-// Ctrl+C as a request: long work looks at a flag, saves what it has and ends.
+// Ctrl+C as a request: long work polls a flag, saves what it has and ends.
 #pragma once
 
 #include <atomic>
 
 namespace tarn {
 
-/// While it lives, SIGINT and SIGTERM set a flag instead of ending the program; a second one ends it.
+/// While it lives, SIGINT and SIGTERM set a flag instead of ending the program; a second one ends it. Handlers that
+/// stood before stand again afterwards. One at a time.
 class InterruptGuard {
 public:
     InterruptGuard();
@@ -14,6 +15,10 @@ public:
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
     static const std::atomic<bool>& flag();
+
+private:
+    using Handler = void (*)(int);
+    Handler interruptBefore_, terminateBefore_;
 };
 
 } // namespace tarn

@@ -1,12 +1,14 @@
 // tarn trade: what every setting costs in time and in accuracy, measured, stored and told.
 #include "app/command_flags.h"
 #include "app/commands.h"
+#include "app/interrupt.h"
 #include "app/output.h"
 #include "app/parse.h"
 #include "app/trade_experiment.h"
 #include "app/version.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/hash.h"
 #include "measure/trade/ladder.h"
 #include "measure/trade/presets.h"
 #include "measure/trade/report.h"
@@ -15,7 +17,6 @@
 #include <fmt/chrono.h>
 #include <nlohmann/json.hpp>
 
-#include <csignal>
 #include <ctime>
 #include <tuple>
 
@@ -25,26 +26,6 @@ namespace {
 
 constexpr std::size_t mostViews = 8; // when none are named
 constexpr std::size_t mostLadderViews = 4;
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// Ctrl-C lets the unit that is being measured come to its end; a second one ends the program at once.
-class StopOnInterrupt {
-public:
-    StopOnInterrupt() : before_(std::signal(SIGINT, handle)) {}
-    ~StopOnInterrupt() { std::signal(SIGINT, before_); }
-    StopOnInterrupt(const StopOnInterrupt&) = delete;
-    StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
-
-private:
-    static void handle(int /*signal*/)
-    {
-        interrupted = 1;
-        std::signal(SIGINT, SIG_DFL);
-    }
-
-    void (*before_)(int);
-};
 
 std::string titleOf(const Scene& scene) { return scene.name.empty() ? scene.file.stem().string() : scene.name; }
 
@@ -56,14 +37,10 @@ std::string contentOf(const Scene& scene)
         vertices += mesh.vertices.size();
         faces += mesh.indices.size() / 3;
     }
-    std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
-    const auto add = [&hash](const std::string& text) {
-        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    };
-    add(readFile(scene.file));
+    std::string text = readFile(scene.file);
     for (const GivenMap* map : {&scene.maps.bed, &scene.maps.aboveWater})
-        if (map->picture) add(readFile(map->picture->file));
-    return fmt::format("{} vertices, {} faces, file {:016x}", vertices, faces, hash);
+        if (map->picture) text += readFile(map->picture->file);
+    return fmt::format("{} vertices, {} faces, file {:016x}", vertices, faces, fnv1a(text));
 }
 
 TradeSetup setupOf(const TradeCommand& command, const SceneSetup& sceneSetup, const std::vector<Camera>& views)
@@ -160,9 +137,10 @@ TradeResults measure(const TradeCommand& command, const SceneSetup& sceneSetup, 
                                     .references = command.out / "references"},
                                    &progress);
     }();
-    TerminalProgress progress; // starts counting here
-    const StopOnInterrupt guard;
-    const RunArguments arguments{command.shard, command.shards, [] { return interrupted != 0; }, &progress};
+    TerminalProgress progress;  // starts counting here
+    const InterruptGuard guard; // the unit that is being measured comes to its end
+    const RunArguments arguments{command.shard, command.shards, [] { return InterruptGuard::flag().load(); },
+                                 &progress};
     return runTrade(setup, store, *experiment, arguments).results;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/hash.h"
 
 #include <fmt/format.h>
 
@@ -64,25 +65,6 @@ fs::path cacheFolder()
     if (const char* home = std::getenv("HOME"); home && fs::path(home).is_absolute())
         return fs::path(home) / ".cache" / "tarn";
     return {};
-}
-
-std::uint64_t hashOf(std::string_view bytes)
-{
-    std::uint64_t hash = 0xcbf29ce484222325u ^ bytes.size();
-    const auto mix = [&hash](std::uint64_t word) {
-        hash = (hash ^ word) * 0x100000001b3u;
-        hash ^= hash >> 32; // else the upper bits of a word never reach the lower ones of the hash
-    };
-    std::uint64_t word = 0;
-    std::size_t i = 0;
-    for (; i + sizeof word <= bytes.size(); i += sizeof word) {
-        std::memcpy(&word, bytes.data() + i, sizeof word);
-        mix(word);
-    }
-    word = 0;
-    std::memcpy(&word, bytes.data() + i, bytes.size() - i);
-    mix(word);
-    return hash;
 }
 
 DiskCache::DiskCache(fs::path folder, std::uintmax_t mostBytes) : folder_(std::move(folder)), mostBytes_(mostBytes) {}

@@ -20,9 +20,6 @@ namespace tarn {
 /// $XDG_CACHE_HOME/tarn, or ~/.cache/tarn (XDG Base Directory Specification 0.8); empty where there is neither.
 std::filesystem::path cacheFolder();
 
-/// To tell contents apart, not to keep secrets: FNV-1a over eight bytes at a time.
-std::uint64_t hashOf(std::string_view bytes);
-
 class DiskCache {
 public:
     /// @param folder made when something is first written; empty: nothing is ever found

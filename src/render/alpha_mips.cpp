@@ -1,6 +1,7 @@
 #include "render/alpha_mips.h"
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "optics/optics.h"
 
 #include <fmt/format.h>

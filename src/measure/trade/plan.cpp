@@ -1,9 +1,8 @@
 #include "measure/trade/plan.h"
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "measure/trade/ladder.h"
-
-#include <cstdint>
 
 namespace tarn {
 
@@ -11,13 +10,12 @@ namespace {
 
 constexpr std::size_t mostGridPoints = 10000;
 
-/// FNV-1a: stable over runs, machines and versions, which std::hash is not.
+/// Names the files of a point's results, which later versions must still find.
 std::string idOf(const Changes& changes)
 {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const auto& [key, value] : changes)
-        for (const char c : key + "=" + value + "\n") hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return fmt::format("{:012x}", hash & 0xffffffffffffu);
+    std::string text;
+    for (const auto& [key, value] : changes) text += key + "=" + value + "\n";
+    return fmt::format("{:012x}", fnv1a(text) & 0xffffffffffffu);
 }
 
 std::string labelOf(const Changes& changes)

@@ -1,8 +1,8 @@
 #include "measure/trade/setup.h"
 
 #include "base/error.h"
+#include "base/hash.h"
 
-#include <cstdint>
 #include <numeric>
 
 namespace tarn {
@@ -28,13 +28,11 @@ std::vector<std::size_t> TradeSetup::timesOf(std::size_t view) const
 
 namespace {
 
-/// FNV-1a over the ids.
 std::string batchName(const std::vector<TradePoint>& points)
 {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const TradePoint& point : points)
-        for (const char c : point.id) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return fmt::format("{:016x}", hash);
+    std::string ids;
+    for (const TradePoint& point : points) ids += point.id;
+    return fmt::format("{:016x}", fnv1a(ids));
 }
 
 std::vector<std::vector<TradePoint>> batchesOf(const TradePoint& base, std::span<const TradePoint> points)
