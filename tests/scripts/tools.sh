@@ -113,6 +113,96 @@ test_intervals_usage() {
     refuse 2 '2 to 16 frames' pool.toml
 }
 
+# A project of two sources and a header on a branch, and a clang-tidy that complains of what holds "mistake".
+small_branch() {
+    root="$work/a lake/tarn"
+    mkdir -p "$root/src/base" "$root/tools" "$root/build/dev" "$work/bin"
+    cp "$project/tools/build.sh" "$project/tools/tidy" "$root/tools"
+    cd "$root"
+    printf '/build*/\n' >.gitignore
+    echo '#include "base/a.h"' >src/base/a.cpp
+    echo '#include "base/a.h"' >src/base/b.cpp
+    : >src/base/a.h
+    export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a
+    git init -q -b main
+    git add .
+    git commit -qm main
+    git checkout -qb branch
+    cat >"$work/bin/clang-tidy-14" <<'END'
+#!/bin/sh
+for file; do :; done
+echo "$*" >>"$NOTES"
+! grep -H mistake "$file"
+END
+    printf '#!/bin/sh\n' >"$work/bin/ninja"
+    chmod +x "$work/bin/"*
+    echo '[]' >build/dev/compile_commands.json
+    export NOTES=$work/notes PATH="$work/bin:$PATH"
+    tarn=$root/tools/tidy
+}
+
+# tidied FILE...   the last call checked these sources, and no others
+tidied() {
+    local found
+    found=$(sed 's/.* //' "$NOTES" 2>/dev/null | sort | paste -sd ' ') || true
+    [[ $found == "$*" ]] || fail "checked were '$found', not '$*'"
+    rm -f "$NOTES"
+}
+
+test_tidy_takes_what_has_changed() {
+    command -v git >/dev/null || exit 77
+    small_branch
+    call 0
+    tidied
+    echo '// mistake' >>src/base/b.cpp
+    refuse_with_complaint 'src/base/b\.cpp' 1
+    tidied src/base/b.cpp
+    git commit -qam 'a mistake'
+    refuse_with_complaint 'src/base/b\.cpp' 1
+    tidied src/base/b.cpp
+    call 0 HEAD
+    tidied
+    : >src/base/new.cpp # untracked
+    call 0 HEAD
+    tidied src/base/new.cpp
+    rm src/base/new.cpp
+    echo '// changed' >>src/base/a.h # a header with a source of its name
+    call 0 HEAD
+    grep -q -- '--header-filter=/base/a\\.h\$' "$NOTES" || fail "the header's own lines are not asked for: $(cat "$NOTES")"
+    tidied src/base/a.cpp
+    refuse_with_complaint 'src/base/b\.cpp' 2 --all
+    tidied src/base/a.cpp src/base/b.cpp
+    cd src
+    call 0 base/a.cpp
+    tidied src/base/a.cpp
+}
+
+# refuse_with_complaint PATTERN SOURCES ARGUMENTS...
+refuse_with_complaint() {
+    local pattern=$1 count=$2
+    shift 2
+    call 1 "$@"
+    grep -q 'mistake' "$work/stdout" || fail "the complaint is not shown"
+    grep -Eq "^tarn: error: clang-tidy complains of 1 of $count: $pattern" "$work/stderr" || fail "no line names the source"
+}
+
+test_tidy_bad_input() {
+    command -v git >/dev/null || exit 77
+    small_branch
+    refuse 2 'usage: tools/tidy' --alll
+    refuse 2 'stands alone' --all HEAD
+    refuse 2 'needs a folder' --build
+    refuse 1 'nowhere: no such commit or file' nowhere
+    refuse 1 'no C\+\+ file' .gitignore
+    refuse 1 "$work/none/compile_commands.json is missing; cmake --preset dev" --build "$work/none"
+    rm "$work/bin/clang-tidy-14"
+    mkdir "$work/bare"
+    local program
+    for program in bash git sed sort grep realpath readlink dirname; do ln -s "$(command -v $program)" "$work/bare/$program"; done
+    PATH=$work/bare call 77
+    grep -q '^tarn: error: clang-tidy is not installed; tools/setup --tidy' "$work/stderr" || fail "it does not say what is missing"
+}
+
 test_format() {
     local status=0
     "$project/tools/format" --check >"$work/stdout" 2>"$work/stderr" || status=$?
