@@ -48,6 +48,13 @@ void Flags::count(const std::string& flag, const char* doc, int& value, int lowe
     });
 }
 
+void Flags::count(const std::string& flag, const char* doc, std::optional<int>& value, int lower, int upper)
+{
+    this->value(flag, "N", doc, [=, &value](const std::string& text, const std::string& name) {
+        value = parseCount(text, name, lower, upper);
+    });
+}
+
 void Flags::number(const std::string& flag, const char* what, const char* doc, double& value, double lower,
                    double upper)
 {

@@ -41,6 +41,7 @@ public:
     void list(const std::string& flag, const char* what, const char* doc, std::vector<std::string>& values);
     void toggle(const std::string& flag, const char* doc, bool& value);
     void count(const std::string& flag, const char* doc, int& value, int lower, int upper);
+    void count(const std::string& flag, const char* doc, std::optional<int>& value, int lower, int upper);
     void number(const std::string& flag, const char* what, const char* doc, double& value, double lower, double upper);
     void number(const std::string& flag, const char* what, const char* doc, std::optional<double>& value, double lower,
                 double upper);

@@ -142,14 +142,24 @@ struct MapsCommand {
     std::string json;
 };
 
+/// What replaces the parts of a PictureTolerance.
+struct FolderTolerance {
+    std::optional<int> channel, hardLimit;                ///< of 255
+    std::optional<double> fraction, hardFraction, mean{}; ///< of the pixels; mean of 255
+};
+
 struct CompareCommand {
-    std::filesystem::path reference, test;
-    std::filesystem::path out;      ///< the map of FLIP: .png as colours, .exr as values; empty: none
-    std::optional<double> exposure; ///< of linear pictures; what their header says by default
-    std::string toneCurve;          ///< the same
+    std::filesystem::path reference, test; ///< two pictures, or two folders of them
+    std::filesystem::path out;             ///< the map of FLIP: .png as colours, .exr as values; empty: none
+    std::optional<double> exposure;        ///< of linear pictures; what their header says by default
+    std::string toneCurve;                 ///< the same
     double pixelsPerDegree = defaultPixelsPerDegree;
     std::optional<double> maxFlip; ///< fails when the mean is over it
     std::string json;
+    // Of two folders:
+    std::filesystem::path junit;  ///< file of results for a build server; empty: none
+    std::filesystem::path report; ///< folder of a page; empty: none
+    FolderTolerance tolerance;
 };
 
 struct DisparityCommand {

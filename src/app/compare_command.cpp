@@ -1,145 +1,23 @@
-// tarn compare: how different are two pictures, to the eye and in their values?
+// tarn compare: how different are two pictures, to the eye and in their values? Two folders of pictures are compared in
+// compare_folders.cpp.
 #include "app/command_flags.h"
 #include "app/commands.h"
+#include "app/compare_folders.h"
+#include "app/compared_picture.h"
 #include "app/output.h"
 #include "base/error.h"
-#include "base/log.h"
-#include "measure/display.h"
 #include "measure/flip.h"
 #include "measure/heat.h"
+#include "measure/image_compare.h"
 #include "measure/picture_error.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace tarn {
 
 namespace {
-
-/// A picture as its file holds it.
-struct Source {
-    std::filesystem::path file;
-    Image image; ///< 8-bit sRGB, or linear floats of red, green and blue
-    bool linear = false;
-    std::string settings; ///< a linear picture's "tarn:settings", or ""
-};
-
-bool isLinearFile(const std::filesystem::path& file)
-{
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".exr" || extension == ".hdr";
-}
-
-/// R, G and B of a picture that may hold more: a reference has the water's geometry beside them.
-Image colourChannels(const NamedImage& picture)
-{
-    const Image& all = picture.image;
-    std::array<std::size_t, 3> places{};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const std::string name(1, "RGB"[i]);
-        const auto found = std::find(picture.channelNames.begin(), picture.channelNames.end(), name);
-        if (found == picture.channelNames.end())
-            throw Error("{}: has no channel {}; it has {}", all.name, name, fmt::join(picture.channelNames, ", "));
-        places[i] = static_cast<std::size_t>(found - picture.channelNames.begin());
-    }
-    Image result{all.name, all.width, all.height, 3, {}, {}};
-    result.floats.reserve(result.size());
-    for (std::size_t i = 0; i < all.floats.size(); i += picture.channelNames.size())
-        for (const std::size_t place : places) result.floats.push_back(all.floats[i + place]);
-    return result;
-}
-
-Source readSource(const std::filesystem::path& file)
-{
-    if (!isLinearFile(file)) {
-        Source source{file, readImage(file), false, ""};
-        if (source.image.isFloat())
-            throw Error("{}: has more than 8 bits; 8-bit pictures and linear .exr files are compared", file.string());
-        return source;
-    }
-    const NamedImage picture = readNamedImage(file);
-    const auto settings = picture.metadata.find("tarn:settings");
-    Source source{file, colourChannels(picture), true, settings == picture.metadata.end() ? "" : settings->second};
-    requireFinite(source.image);
-    return source;
-}
-
-/// How linear pictures are shown, and where that was said.
-struct Showing {
-    FrameOptions frame;
-    std::string exposureOrigin = "default", toneCurveOrigin = "default";
-};
-
-void assignFrame(FrameOptions& frame, const Assignment& assignment)
-{
-    Options options;
-    options.frame = frame;
-    assign([&](FieldVisitor& visitor) { visit(visitor, options); }, assignment);
-    frame = options.frame;
-}
-
-nlohmann::json frameJson(FrameOptions frame)
-{
-    Options options;
-    options.frame = frame;
-    return toJson([&](FieldVisitor& visitor) { visit(visitor, options); })["frame"];
-}
-
-/// What the header says of exposure and tone curve replaces the defaults. A damaged header is an error: to
-/// compare with a guessed exposure would give a wrong figure without a word.
-Showing headerShowing(const Source& source)
-{
-    Showing showing;
-    if (source.settings.empty()) return showing;
-    const std::string name = source.file.string();
-    const auto json = nlohmann::json::parse(source.settings, nullptr, false);
-    if (!json.is_object()) throw Error("{}: its tarn:settings are damaged; give --exposure and --tone-curve", name);
-    if (!json.contains("frame") || !json["frame"].is_object()) return showing;
-    const auto take = [&](const char* key, std::string& origin) {
-        if (!json["frame"].contains(key)) return;
-        const nlohmann::json& value = json["frame"][key];
-        const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-        try {
-            assignFrame(showing.frame, {fmt::format("frame.{}", key), text, name});
-        } catch (const UsageError& error) { // the file's mistake, not the command line's
-            throw Error("{}", error.what());
-        }
-        origin = "from " + name;
-    };
-    take("exposure", showing.exposureOrigin);
-    take("tone_curve", showing.toneCurveOrigin);
-    return showing;
-}
-
-/// Command line, else the reference's header, else the test's, else the defaults.
-Showing chooseShowing(const CompareCommand& command, const Source& reference, const Source& test)
-{
-    Showing showing;
-    if (!command.exposure || command.toneCurve.empty()) {
-        const bool fromReference = !reference.settings.empty();
-        showing = headerShowing(fromReference ? reference : test);
-        if (fromReference && !test.settings.empty()) {
-            const FrameOptions other = headerShowing(test).frame;
-            if (other.exposure != showing.frame.exposure || other.toneCurve != showing.frame.toneCurve)
-                log::warning("{} was made with another exposure or tone curve than {}; the latter's are used",
-                             test.file.string(), reference.file.string());
-        }
-    }
-    if (command.exposure) {
-        showing.frame.exposure = static_cast<float>(*command.exposure);
-        showing.exposureOrigin = "--exposure";
-    }
-    if (!command.toneCurve.empty()) {
-        assignFrame(showing.frame, {"frame.tone_curve", command.toneCurve, "--tone-curve"});
-        showing.toneCurveOrigin = "--tone-curve";
-    }
-    return showing;
-}
 
 struct Comparison {
     bool anyLinear = false, bothLinear = false;
@@ -152,25 +30,18 @@ struct Comparison {
 
 Comparison compare(const CompareCommand& command)
 {
-    const Source reference = readSource(command.reference), test = readSource(command.test);
+    const ComparedPicture reference = readComparedPicture(command.reference), test = readComparedPicture(command.test);
     requireComparable(reference.image, test.image);
     Comparison result;
-    result.anyLinear = reference.linear || test.linear;
-    result.bothLinear = reference.linear && test.linear;
+    result.anyLinear = reference.isLinear || test.isLinear;
+    result.bothLinear = reference.isLinear && test.isLinear;
     result.size = {reference.image.width, reference.image.height};
     if (!result.anyLinear && (command.exposure || !command.toneCurve.empty()))
         throw UsageError("--exposure and --tone-curve are for linear pictures (.exr); neither is one");
     if (result.anyLinear) result.showing = chooseShowing(command, reference, test);
 
-    const FrameOptions& frame = result.showing.frame;
-    const auto exposed = [&](const Source& source) {
-        return source.linear ? exposedPicture(source.image, frame.exposure) : source.image;
-    };
-    const auto shown = [&](const Source& source, const Image& image) {
-        return source.linear ? displayPicture(image, frame.toneCurve) : image;
-    };
-    const Image a = exposed(reference), b = exposed(test);
-    const Image shownA = shown(reference, a), shownB = shown(test, b);
+    const Image a = exposed(reference, result.showing), b = exposed(test, result.showing);
+    const Image shownA = shown(reference, a, result.showing), shownB = shown(test, b, result.showing);
     result.flip = flipMap(shownA, shownB, command.pixelsPerDegree);
     result.meanFlip = meanOf(result.flip);
     result.error = result.bothLinear ? pictureError(a, b) : pictureError(shownA, shownB);
@@ -232,6 +103,28 @@ void print(const Comparison& comparison, const CompareCommand& command)
             : "");
 }
 
+bool isFolder(const std::filesystem::path& path)
+{
+    std::error_code error;
+    return std::filesystem::is_directory(path, error);
+}
+
+/// Whatever is for two folders is refused, not ignored.
+void requireForPictures(const CompareCommand& command)
+{
+    const FolderTolerance& tolerance = command.tolerance;
+    const std::pair<bool, const char*> given[] = {{!command.junit.empty(), "--junit"},
+                                                  {!command.report.empty(), "--report"},
+                                                  {tolerance.channel.has_value(), "--tolerance"},
+                                                  {tolerance.fraction.has_value(), "--fraction"},
+                                                  {tolerance.hardLimit.has_value(), "--hard-limit"},
+                                                  {tolerance.hardFraction.has_value(), "--hard-fraction"},
+                                                  {tolerance.mean.has_value(), "--mean-limit"}};
+    for (const auto& [isGiven, flag] : given)
+        if (isGiven)
+            throw UsageError("{} is for two folders of pictures; {} is none", flag, command.reference.string());
+}
+
 void requireWritable(const CompareCommand& command)
 {
     requireWritableJson(command.json);
@@ -242,6 +135,8 @@ void requireWritable(const CompareCommand& command)
 
 void run(const CompareCommand& command)
 {
+    if (isFolder(command.reference) || isFolder(command.test)) return compareFolders(command);
+    requireForPictures(command);
     requireWritable(command);
     const Comparison comparison = compare(command);
     if (!command.out.empty())
@@ -263,14 +158,43 @@ std::string parseToneCurve(const std::string& text, const std::string& flag)
     return text;
 }
 
+void addFolderFlags(Flags& flags, CompareCommand& c)
+{
+    flags.path("--junit", "FILE", "Of two folders: write a test for each picture as JUnit's XML", c.junit);
+    flags.path("--report", "DIR",
+               "Of two folders: write a page (index.html) of the pictures that fail, and how they differ", c.report);
+    const PictureTolerance usual;
+    FolderTolerance& tolerance = c.tolerance;
+    const auto doc = [](const char* text, auto value) {
+        return fmt::format("Of two folders: {} ({} by default)", text, value);
+    };
+    flags.count("--tolerance", doc("difference of a channel, of 255, that does not count", usual.channel).c_str(),
+                tolerance.channel, 0, 255);
+    flags.number("--fraction", "F",
+                 doc("fraction of the pixels that may differ by more than --tolerance", usual.fraction).c_str(),
+                 tolerance.fraction, 0.0, 1.0);
+    flags.count("--hard-limit",
+                doc("difference of a channel, of 255, that hardly any pixel may have", usual.hardLimit).c_str(),
+                tolerance.hardLimit, 0, 255);
+    flags.number(
+        "--hard-fraction", "F",
+        doc("fraction of the pixels that may differ by more than --hard-limit", usual.hardLimitFraction).c_str(),
+        tolerance.hardFraction, 0.0, 1.0);
+    flags.number("--mean-limit", "X",
+                 doc("signed mean difference of a channel, of 255, that passes", usual.mean).c_str(), tolerance.mean,
+                 0.0, 255.0);
+}
+
 } // namespace
 
 MakeCommand defineCompare(Flags& flags)
 {
     auto command = std::make_shared<CompareCommand>();
     CompareCommand& c = *command;
-    flags.path("REFERENCE", "FILE", "The picture that is right: .png, .jpg, or .exr (linear)", c.reference);
-    flags.path("TEST", "FILE", "The picture to judge, of the same size", c.test);
+    flags.path("REFERENCE", "FILE", "The picture that is right: .png, .jpg, or .exr (linear); or a folder of them",
+               c.reference);
+    flags.path("TEST", "FILE", "The picture to judge, of the same size; or a folder with pictures of the same names",
+               c.test);
     flags.path("--out", "FILE", "Map of the differences seen: .png as colours, .exr as FLIP's values", c.out);
     flags.number("--exposure", "E", "Factor on linear pictures; the reference's own by default", c.exposure, 0.0,
                  1000.0);
@@ -279,10 +203,11 @@ MakeCommand defineCompare(Flags& flags)
     flags.number("--ppd", "P", "Pixels that fill a degree of the viewer's sight", c.pixelsPerDegree,
                  leastPixelsPerDegree, mostPixelsPerDegree);
     flags.number("--max-flip", "X", "Fail when the mean FLIP is over X", c.maxFlip, 0.0, 1.0);
+    addFolderFlags(flags, c);
     flags.json(c.json);
     return [command]() -> Command {
         if (command->test.empty())
-            throw UsageError("compare needs two pictures, such as compare reference.png test.png");
+            throw UsageError("compare needs two pictures, such as compare reference.png test.png, or two folders");
         return *command;
     };
 }

@@ -95,6 +95,30 @@ void writeFile(const fs::path& file, std::string_view text)
     });
 }
 
+void replaceFolder(const fs::path& folder, const std::function<void(const fs::path&)>& write)
+{
+    const fs::path target = folder.has_filename() ? folder : folder.parent_path(); // "report/" is "report"
+    const fs::path temporary = temporaryName(target), old = temporaryName(target);
+    std::error_code error;
+    try {
+        fs::create_directory(temporary, error);
+        if (error) throw Error("{}: this folder cannot be made: {}", target.string(), error.message());
+        write(temporary);
+        const bool isThere = fs::exists(target, error);
+        if (isThere) fs::rename(target, old, error);
+        if (!error) fs::rename(temporary, target, error);
+        if (error) {
+            std::error_code ignored;
+            if (isThere) fs::rename(old, target, ignored);
+            throw Error("{}: cannot be written ({})", target.string(), error.message());
+        }
+    } catch (...) {
+        fs::remove_all(temporary, error);
+        throw;
+    }
+    fs::remove_all(old, error);
+}
+
 void makeFolder(const fs::path& folder)
 {
     std::error_code error;

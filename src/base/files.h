@@ -19,6 +19,11 @@ void writeWhole(const std::filesystem::path& file,
 /// writeWhole for text.
 void writeFile(const std::filesystem::path& file, std::string_view text);
 
+/// writeWhole for a folder: `write` fills a temporary one beside it, which then takes the place of all that `folder`
+/// held. Throws Error when its parent is missing or cannot be written.
+void replaceFolder(const std::filesystem::path& folder,
+                   const std::function<void(const std::filesystem::path& temporary)>& write);
+
 /// The folder and those above it, where they are missing. Throws Error when one cannot be made.
 void makeFolder(const std::filesystem::path& folder);
 

@@ -1,5 +1,7 @@
 #include "measure/comparison_page.h"
 
+#include "measure/markup.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,44 +12,28 @@ namespace tarn {
 
 namespace {
 
-std::string escaped(const std::string& text)
+std::string picture(const char* style, const char* label, const std::optional<std::string>& source)
 {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&': result += "&amp;"; break;
-        case '<': result += "&lt;"; break;
-        case '>': result += "&gt;"; break;
-        case '"': result += "&quot;"; break;
-        default: result += c;
-        }
-    }
-    return result;
-}
-
-std::string picture(const char* style, const char* label, const std::optional<std::string>& png)
-{
-    if (!png) return fmt::format("<p class=\"{} none\">no {} picture</p>", style, label);
-    return fmt::format("<img class=\"{}\" alt=\"{}\" title=\"{}\" src=\"data:image/png;base64,{}\">", style, label,
-                       label, base64(*png));
+    if (!source) return fmt::format("<p class=\"{} none\">no {} picture</p>", style, label);
+    return fmt::format("<img class=\"{}\" alt=\"{}\" title=\"{}\" src=\"{}\">", style, label, label,
+                       escapedMarkup(*source));
 }
 
 std::string section(const ComparisonEntry& entry)
 {
     std::string html =
         fmt::format("<section>\n<h2>{}</h2>\n<p>{}</p>\n<p><strong>{}</strong></p>\n<div class=\"row\">\n",
-                    escaped(entry.name), escaped(entry.description), escaped(entry.verdict));
+                    escapedMarkup(entry.name), escapedMarkup(entry.description), escapedMarkup(entry.verdict));
     html += fmt::format("<figure>{}<figcaption>expected</figcaption></figure>\n",
-                        picture("plain", "expected", entry.expectedPng));
-    html += fmt::format("<figure>{}<figcaption>actual</figcaption></figure>\n",
-                        picture("plain", "actual", entry.actualPng));
+                        picture("plain", "expected", entry.expected));
+    html +=
+        fmt::format("<figure>{}<figcaption>actual</figcaption></figure>\n", picture("plain", "actual", entry.actual));
     html += fmt::format("<figure>{}<figcaption>difference, 16 times</figcaption></figure>\n",
-                        picture("plain", "difference", entry.differencePng));
-    if (entry.expectedPng && entry.actualPng)
-        html +=
-            fmt::format("<figure class=\"flip\">{}{}<figcaption>actual; expected under the pointer"
-                        "</figcaption></figure>\n",
-                        picture("under", "expected", entry.expectedPng), picture("over", "actual", entry.actualPng));
+                        picture("plain", "difference", entry.difference));
+    if (entry.expected && entry.actual)
+        html += fmt::format("<figure class=\"flip\">{}{}<figcaption>actual; expected under the pointer"
+                            "</figcaption></figure>\n",
+                            picture("under", "expected", entry.expected), picture("over", "actual", entry.actual));
     return html + "</div>\n</section>\n";
 }
 
@@ -60,7 +46,7 @@ h2 { margin: 0.2em 0; }
 p { margin: 0.2em 0; }
 .row { display: flex; flex-wrap: wrap; gap: 1em; }
 figure { margin: 0; }
-img { display: block; image-rendering: pixelated; min-width: 320px; }
+img { display: block; image-rendering: pixelated; min-width: 320px; max-width: 100%; }
 .none { width: 320px; height: 240px; background: #aaa; text-align: center; }
 .flip { position: relative; cursor: crosshair; }
 .flip .over { position: absolute; top: 0; left: 0; }
@@ -85,11 +71,21 @@ std::string base64(const std::string& bytes)
     return text;
 }
 
-std::string comparisonPage(const std::string& title, const std::vector<ComparisonEntry>& entries)
+std::string embeddedPng(const std::string& png) { return "data:image/png;base64," + base64(png); }
+
+std::string comparisonPage(const std::string& title, const std::vector<ComparisonEntry>& entries,
+                           const std::vector<PassedCase>& passed)
 {
     std::string html = fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<title>{}</title>\n{}<h1>{}</h1>\n",
-                                   escaped(title), head, escaped(title));
+                                   escapedMarkup(title), head, escapedMarkup(title));
     for (const ComparisonEntry& entry : entries) html += section(entry);
+    if (!passed.empty()) {
+        html += "<section>\n<h2>Passed</h2>\n<ul>\n";
+        for (const PassedCase& test : passed)
+            html += fmt::format("<li><strong>{}</strong>: {}</li>\n", escapedMarkup(test.name),
+                                escapedMarkup(test.verdict));
+        html += "</ul>\n</section>\n";
+    }
     return html + "</html>\n";
 }
 

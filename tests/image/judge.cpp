@@ -14,21 +14,21 @@ namespace {
 
 bool isThere(const std::filesystem::path& file) { return std::filesystem::exists(file); }
 
-std::optional<std::string> bytesOf(const std::filesystem::path& file)
+std::optional<std::string> embedded(const std::filesystem::path& file)
 {
     if (!isThere(file)) return std::nullopt;
-    return readFile(file);
+    return embeddedPng(readFile(file));
 }
 
-/// The difference as a PNG file, where there are two pictures of one size.
-std::optional<std::string> differencePng(const CaseFiles& files)
+/// The difference, where there are two pictures of one size.
+std::optional<std::string> difference(const CaseFiles& files)
 {
     if (!isThere(files.golden) || !isThere(files.actual)) return std::nullopt;
     const Image golden = readImage(files.golden), actual = readImage(files.actual);
     if (!comparePictures(golden, actual).mismatch.empty()) return std::nullopt;
     const std::filesystem::path file = files.actual.parent_path() / (files.actual.stem().string() + ".difference.png");
     writeImage(file, differencePicture(golden, actual));
-    return readFile(file);
+    return embedded(file);
 }
 
 } // namespace
@@ -50,8 +50,8 @@ void writePage(const std::filesystem::path& file, const std::string& title, cons
     std::vector<ComparisonEntry> entries;
     for (const Case& test : cases) {
         const CaseFiles files = filesOf(test.name);
-        entries.push_back({test.name, test.what, judge(test).text, bytesOf(files.golden), bytesOf(files.actual),
-                           differencePng(files)});
+        entries.push_back({test.name, test.what, judge(test).text, embedded(files.golden), embedded(files.actual),
+                           difference(files)});
     }
     writeFile(file, comparisonPage(title, entries));
 }

@@ -423,6 +423,52 @@ test_compare_bad_input() {
     only_in_out a.png b.png
 }
 
+# Two folders of pictures, as continuous integration compares them.
+test_compare_folders() {
+    local picture
+    mkdir -p "goldens & <co>/sub" new/sub
+    for picture in a sub/b; do
+        call 0 render "$pool" --size 64x48 --out "new/$picture.png"
+        cp "new/$picture.png" "goldens & <co>/$picture.png"
+    done
+    call 0 compare "goldens & <co>" new --junit "$work/good.xml" --report "$work/report"
+    grep -q '^2 pictures: 2 good$' "$work/stdout" || fail "it does not say that both are good"
+    call 0 render "$pool" --size 64x48 --set water.enabled=false --out new/a.png
+    mv new/sub/b.png "new/b'\"<&>.png"
+    call 1 compare "goldens & <co>/" new/ --junit "$work/bad.xml" --report "$work/report/" --json "$work/bad.json" --max-flip 0.5
+    grep -q '^3 pictures: 1 different, 1 missing, 1 extra$' "$work/stdout" || fail "it does not count what is wrong"
+    grep -q '3 of 3 pictures fail.*report/index\.html' "$work/stderr" || fail "it does not say where the report is"
+    [[ $(ls "$work/report/pictures" | wc -l) == 5 ]] || fail "the report has $(ls "$work/report/pictures")"
+    only_in_out "goldens & <co>/a.png" "goldens & <co>/sub/b.png" new/a.png "new/b'\"<&>.png"
+    command -v python3 >/dev/null || return 0
+    python3 - "$work/good.xml" "$work/bad.xml" <<'END' || fail "the results are not those of two folders"
+import sys, xml.etree.ElementTree as xml
+good, bad = (xml.parse(file).getroot().find("testsuite") for file in sys.argv[1:])
+assert good.get("failures") == "0" and [case.get("name") for case in good] == ["a.png", "sub/b.png"]
+assert bad.get("name") == "goldens & <co>/" and bad.get("tests") == bad.get("failures") == "3"
+found = {case.get("name"): case.find("failure").get("type") for case in bad}
+assert found == {"a.png": "different", "sub/b.png": "missing", "b'\"<&>.png": "extra"}, found
+END
+}
+
+test_compare_folders_bad_input() {
+    mkdir a b
+    refuse 1 'a: holds no pictures' compare a b --report r
+    call 0 render "$pool" --size 16x16 --out a/p.png
+    cp a/p.png b/p.png
+    refuse 2 'a/p\.png: is no folder' compare a/p.png b
+    refuse 2 'the same folder' compare a ./b/../a/
+    refuse 2 '--report a/r: ' compare a b --report a/r
+    refuse 2 '--report \.: ' compare a b --report .
+    refuse 2 'b/p\.png.*picture' compare a b --junit b/p.png
+    refuse 2 '--out' compare a b --out map.png
+    refuse 2 '--tolerance is for two folders' compare a/p.png b/p.png --tolerance 3
+    refuse 2 '--fraction 2' compare a b --fraction 2
+    refuse 1 'no/such' compare a b --junit no/such/junit.xml
+    refuse 1 'no/such' compare a b --report no/such/report
+    only_in_out a/p.png b/p.png
+}
+
 test_options() {
     call 0 options
     grep -q 'refraction.steps' "$work/stdout" || fail "options does not list refraction.steps"

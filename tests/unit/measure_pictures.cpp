@@ -168,7 +168,8 @@ TEST(Base64, AsInRfc4648)
 
 TEST(ComparisonPage, HoldsThePicturesAndNeedsNothingElse)
 {
-    const ComparisonEntry entry{"case-a", "what it shows", "3 pixels <differ>", "foo", "foobar", std::nullopt};
+    const ComparisonEntry entry{"case-a",           "what it shows",       "3 pixels <differ>",
+                                embeddedPng("foo"), embeddedPng("foobar"), std::nullopt};
     const std::string page = comparisonPage("1 & only", {entry});
     for (const char* wanted : {"base64,Zm9v\"", "base64,Zm9vYmFy\"", "no difference picture", "3 pixels &lt;differ&gt;",
                                "1 &amp; only", "class=\"flip\""})
@@ -179,9 +180,19 @@ TEST(ComparisonPage, HoldsThePicturesAndNeedsNothingElse)
 
 TEST(ComparisonPage, AMissingGoldenIsToldAndLeavesNothingToFlip)
 {
-    const std::string page = comparisonPage("t", {{"case-a", "", "no golden", std::nullopt, "foo", std::nullopt}});
+    const std::string page =
+        comparisonPage("t", {{"case-a", "", "no golden", std::nullopt, embeddedPng("foo"), std::nullopt}});
     EXPECT_NE(page.find("no expected picture"), std::string::npos);
     EXPECT_EQ(page.find("<figure class=\"flip\">"), std::string::npos);
+}
+
+TEST(ComparisonPage, PicturesMayBeFilesAndPassedCasesHaveNone)
+{
+    const std::string page =
+        comparisonPage("t", {{"case-a", "", "differs", "pictures/1-expected.png", "pictures/1-actual.png", {}}},
+                       {{"case-<b>", "identical"}});
+    EXPECT_NE(page.find("src=\"pictures/1-expected.png\""), std::string::npos);
+    EXPECT_NE(page.find("<li><strong>case-&lt;b&gt;</strong>: identical</li>"), std::string::npos);
 }
 
 } // namespace
