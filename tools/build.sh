@@ -1,5 +1,6 @@
 # Sourced by tools/run and tools/test: configures and builds quietly, and shows the whole log when that fails.
-# Needs: root (the project's folder).
+# Needs: root (the project's folder). With with_tests=no a fresh build folder is configured without the tests, which then need not
+# have their libraries; with with_tests=yes they are added to one that has none.
 
 say() { echo "tarn: $*" >&2; }
 
@@ -7,17 +8,26 @@ say() { echo "tarn: $*" >&2; }
 build_preset() {
     local preset=$1
     shift
-    local folder=$root/build/$preset log=$root/build/$preset.log
+    local folder=$root/build/$preset log=$root/build/$preset.log options=()
     mkdir -p "$root/build"
 
     # CMakeCache.txt remembers where it was made. A moved or copied tree starts afresh.
     if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
         rm -rf "$folder"
     fi
+    case "${with_tests-}" in
+        no) options=(-DTARN_TESTS=OFF) ;;
+        yes)
+            if grep -qs '^TARN_TESTS:BOOL=OFF' "$folder/CMakeCache.txt"; then
+                options=(-DTARN_TESTS=ON)
+                rm -f "$folder/build.ninja"
+            fi
+            ;;
+    esac
     # Once configured, ninja itself runs CMake again when a CMakeLists.txt has changed.
     if [[ ! -f $folder/build.ninja ]]; then
         say "configuring in build/$preset"
-        if ! (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null; then
+        if ! (cd "$root" && cmake --preset "$preset" "${options[@]+"${options[@]}"}") >"$log" 2>&1 </dev/null; then
             cat "$log" >&2
             rm -f "$folder/CMakeCache.txt"
             say "error: configuring failed (the log above is also in build/$preset.log)"

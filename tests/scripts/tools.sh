@@ -17,6 +17,7 @@ mkdir -p build/release/bin && : >build/release/build.ninja
 EOF
     cat >"$work/bin/ninja" <<'EOF'
 #!/bin/sh
+echo "ninja $*" >>"$NOTES"
 [ ! -e "$NOTES.broken" ] || { echo "FAILED: some.o"; exit 1; }
 for program in tarn tarn-osmesa; do
     printf '#!/bin/sh\nprintf "%%s" "$(basename "$0")" >>"$NOTES"\nfor a in "$@"; do printf " <%%s>" "$a" >>"$NOTES"; done\necho >>"$NOTES"\n' >"$2/bin/$program"
@@ -70,6 +71,31 @@ test_run_without_display_renders_a_gallery() {
     DISPLAY=:7 call 0 --headless "a scene.toml" --size 64x64 --out "$work/out/my pictures"
     noted "tarn-osmesa <render> <--all-cameras> <a scene.toml> <--size> <64x64> <--out> <$work/out/my pictures>"
     [[ -d $work/out/my\ pictures ]] || fail "the folder was not made"
+}
+
+# A fresh clone is built without tests, and of the two programs only the one that runs.
+test_run_builds_what_it_needs() {
+    fake_project
+    call 0 render --out a.png
+    noted "cmake --preset release -DTARN_TESTS=OFF"
+    noted "ninja -C $root/build/release tarn"
+    ! grep -q 'ninja.*tarn-osmesa' "$NOTES" || fail "the other program was built too"
+    call 0 --headless render --out a.png
+    noted "ninja -C $root/build/release tarn-osmesa"
+}
+
+# What tools/run has configured without tests gets them.
+test_test_adds_the_tests() {
+    fake_project
+    printf '#!/bin/sh\necho "ctest $*" >>"$NOTES"\necho "100%% tests passed, 0 tests failed out of 1"\n' >"$work/bin/ctest"
+    chmod +x "$work/bin/ctest"
+    call 0 render --out a.png
+    printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nTARN_TESTS:BOOL=OFF\n' "$root" >"$root/build/release/CMakeCache.txt"
+    tarn=$root/tools/test
+    call 0 -R x
+    noted "cmake --preset release -DTARN_TESTS=ON"
+    noted "ninja -C $root/build/release"
+    grep -q '^ctest ' "$NOTES" || fail "no test was run"
 }
 
 test_run_shows_a_failed_build() {
