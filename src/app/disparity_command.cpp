@@ -25,15 +25,15 @@ struct TrueEye {
     ReferenceView view;
 };
 
-TrueEye readEye(const std::filesystem::path& file, Eye eye, const Scene& scene)
+TrueEye readEye(const std::filesystem::path& file, Eye eye, const SceneSetup& sceneSetup)
 {
     TrueEye result{reference::readPicture(file), {}};
     const auto made = result.picture.metadata.find("tarn:eye");
     if (made == result.picture.metadata.end() || made->second != eyeName(eye))
         throw Error("{}: is not the {} eye's; make both with: tarn reference --set stereo.output=pair", file.string(),
                     eyeName(eye));
-    result.view = referenceView(result.picture, scene, file);
-    warnOfOtherScene(result.picture, scene, file);
+    result.view = referenceView(result.picture, sceneSetup.scene, file);
+    requireSameScene(result.picture, sceneSetup, file);
     return result;
 }
 
@@ -123,8 +123,8 @@ void run(const DisparityCommand& command)
     TerminalProgress progress;
     const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
     requireOneEye(sceneSetup.settings, "the eyes are the reference's");
-    const TrueEye left = readEye(eyeFile(command.reference, Eye::left), Eye::left, sceneSetup.scene);
-    const TrueEye right = readEye(eyeFile(command.reference, Eye::right), Eye::right, sceneSetup.scene);
+    const TrueEye left = readEye(eyeFile(command.reference, Eye::left), Eye::left, sceneSetup);
+    const TrueEye right = readEye(eyeFile(command.reference, Eye::right), Eye::right, sceneSetup);
     requirePair(command, left, right);
     Session session(sceneSetup, left.picture.size, &progress);
     const auto errors = measure(session, sceneSetup, left, right);

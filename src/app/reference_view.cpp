@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "measure/display.h"
+#include "reference/identity.h"
 
 #include <nlohmann/json.hpp>
 
@@ -62,12 +63,21 @@ bool isSameView(const Camera& a, const Camera& b)
            std::abs(a.lensShift - b.lensShift) < angle;
 }
 
-void warnOfOtherScene(const reference::Picture& picture, const Scene& scene, const std::filesystem::path& file)
+void requireSameScene(const reference::Picture& picture, const SceneSetup& sceneSetup,
+                      const std::filesystem::path& file)
 {
-    const auto made = picture.metadata.find("tarn:scene");
-    const std::string name = scene.file.filename().string();
-    if (made != picture.metadata.end() && made->second != name)
-        log::warning("{}: shows {}, and is compared with {}", file.string(), made->second, name);
+    const auto made = picture.metadata.find("tarn:scene_content");
+    if (made == picture.metadata.end()) {
+        log::warning("{}: does not tell which scene it shows; make it anew with `tarn reference`", file.string());
+        return;
+    }
+    WaterBody water = sceneSetup.settings.water;
+    water.present = water.present && sceneSetup.settings.options.water.enabled;
+    const std::string difference =
+        reference::sceneDifference(made->second, reference::sceneIdentity(sceneSetup.scene, water));
+    if (!difference.empty())
+        throw Error("{}: shows another scene than {}: {} differ; make it anew with `tarn reference`", file.string(),
+                    sceneSetup.scene.file.string(), difference);
 }
 
 Image linearPicture(const reference::Picture& picture)

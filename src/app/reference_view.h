@@ -1,6 +1,7 @@
 // A reference picture as the program meets it: the view that it shows, and what it looks like on the screen.
 #pragma once
 
+#include "app/scene_setup.h"
 #include "plan/options.h"
 #include "reference/picture.h"
 #include "scene/image.h"
@@ -23,8 +24,10 @@ ReferenceView referenceView(const reference::Picture& picture, const Scene& scen
 /// Whether two cameras show the same, but for rounding: a thousandth of a pixel's worth.
 bool isSameView(const Camera& a, const Camera& b);
 
-/// Says so in a warning when the header names another scene.
-void warnOfOtherScene(const reference::Picture& picture, const Scene& scene, const std::filesystem::path& file);
+/// Throws Error naming the file and what differs when the picture shows another scene or other water than a frame of
+/// these settings would; says so in a warning when its header does not tell.
+void requireSameScene(const reference::Picture& picture, const SceneSetup& sceneSetup,
+                      const std::filesystem::path& file);
 
 /// Its radiance: three float channels.
 Image linearPicture(const reference::Picture& picture);

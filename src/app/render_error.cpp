@@ -18,16 +18,16 @@ namespace tarn {
 namespace {
 
 /// The reference's view, in which the command line may replace parts at its own risk.
-ReferenceView viewOf(const RenderCommand& command, const reference::Picture& truth, const Scene& scene)
+ReferenceView viewOf(const RenderCommand& command, const reference::Picture& truth, const SceneSetup& sceneSetup)
 {
     const std::string file = command.reference.string();
     if (command.view.sizeGiven && command.view.size != truth.size)
         throw Error("--size {}x{}: {} has {}x{} pixels; leave --size away", command.view.size.x, command.view.size.y,
                     file, truth.size.x, truth.size.y);
-    ReferenceView view = referenceView(truth, scene, command.reference);
-    warnOfOtherScene(truth, scene, command.reference);
+    ReferenceView view = referenceView(truth, sceneSetup.scene, command.reference);
+    requireSameScene(truth, sceneSetup, command.reference);
     if (command.view.camera.isGiven()) {
-        const Camera asked = chooseCamera(scene, command.view.camera);
+        const Camera asked = chooseCamera(sceneSetup.scene, command.view.camera);
         if (!isSameView(asked, view.camera)) log::warning("{}: was seen by another camera", file);
         view.camera = asked;
     }
@@ -78,7 +78,7 @@ void renderError(const RenderCommand& command)
     TerminalProgress progress;
     const SceneSetup sceneSetup = loadSceneSetup(command.scene, &progress);
     requireOneEye(sceneSetup.settings, "errors are measured in one eye's picture");
-    const ReferenceView view = viewOf(command, truth, sceneSetup.scene);
+    const ReferenceView view = viewOf(command, truth, sceneSetup);
     Session session(sceneSetup, truth.size, &progress);
     session.renderer().setChecking(command.check);
     const WaterQuantities used = readQuantities(session.renderer(), view.camera, view.time, truth.size);

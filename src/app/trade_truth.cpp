@@ -77,7 +77,7 @@ const reference::Picture& TradeTruth::picture(const Camera& camera, double time)
             reference::writePicture(file, *picture);
         }
     }
-    kept_ = FrameCache{camera, time, std::move(*picture), std::nullopt, {}};
+    kept_ = Traced{camera, time, std::move(*picture), std::nullopt, {}};
     return kept_->picture;
 }
 

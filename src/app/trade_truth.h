@@ -43,14 +43,14 @@ private:
     WaterBody water_;
     reference::Tracer tracer_;
     reference::ReferenceOptions options_;
-    struct FrameCache {
+    struct Traced {
         Camera camera;
         double time = 0.0;
         reference::Picture picture;
         std::optional<vec4> rect; ///< that `light` knows
         TrueIrradiance light;
     };
-    std::optional<FrameCache> kept_;
+    std::optional<Traced> kept_;
 };
 
 } // namespace tarn

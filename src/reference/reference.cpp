@@ -3,7 +3,9 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "reference/accumulation.h"
+#include "reference/identity.h"
 #include "reference/integrator.h"
+#include "reference/lens.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -20,32 +22,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// Rays through a picture, pixel (0, 0) at its upper left.
-class Lens {
-public:
-    Lens(const Camera& camera, ivec2 size) : eye_(camera.eye), size_(size)
-    {
-        forward_ = glm::normalize(dvec3(camera.target) - eye_);
-        right_ = glm::normalize(glm::cross(forward_, dvec3(camera.up)));
-        up_ = glm::cross(right_, forward_);
-        tangent_ = std::tan(0.5 * static_cast<double>(camera.verticalFov));
-        shift_ = static_cast<double>(camera.lensShift);
-    }
-    /// @param x,y in pixels from the upper left corner
-    Ray through(double x, double y) const
-    {
-        const double scale = 2.0 * tangent_ / size_.y;
-        const double u = (x - 0.5 * size_.x) * scale + shift_, v = (0.5 * size_.y - y) * scale;
-        return {eye_, glm::normalize(forward_ + u * right_ + v * up_)};
-    }
-    double pixelAngle() const { return 2.0 * tangent_ / size_.y; }
-
-private:
-    dvec3 eye_, forward_, right_, up_;
-    ivec2 size_;
-    double tangent_, shift_;
-};
 
 template <typename Visit> void overPixels(ivec2 size, const Visit& visit)
 {
@@ -71,9 +47,11 @@ struct Tracer::State {
     float sunSlopeDeviation;
     Geometry geometry;
     Light light;
+    mutable std::once_flag isIdentified;
+    mutable std::string identifiedScene;
 
-    State(const Scene& s, const WaterBody& w, float roughness)
-        : scene(s), body(w), sunSlopeDeviation(roughness), geometry(s), light(s, w)
+    State(const Scene& s, const WaterBody& w, float slopeDeviation)
+        : scene(s), body(w), sunSlopeDeviation(slopeDeviation), geometry(s), light(s, w)
     {}
 
     SunMap::Inputs mapInputs(const WaterSurface& water, int photons, int seed) const
@@ -111,7 +89,16 @@ struct Tracer::State {
     {
         return {geometry, water, light, map, sunSlopeDeviation, options, view.approximations};
     }
-    std::string identity(const ViewRequest& view, const ReferenceOptions& options) const;
+    /// Made when it is first asked for: it reads every vertex and texel.
+    const std::string& sceneIdentity() const
+    {
+        std::call_once(isIdentified, [this] { identifiedScene = reference::sceneIdentity(scene, body); });
+        return identifiedScene;
+    }
+    std::string identity(const ViewRequest& view, const ReferenceOptions& options) const
+    {
+        return sceneIdentity() + viewIdentity(view, options, sunSlopeDeviation);
+    }
     Picture picture(const ViewRequest& view, const WaterSurface* water, const SunMap& map,
                     const ReferenceOptions& options, const Accumulation& sums) const;
 };
@@ -146,70 +133,6 @@ SunMap Tracer::State::sunMap(const ViewRequest& view, const ReferenceOptions& op
     std::vector<LightQuery> queries;
     for (const auto& some : found) queries.insert(queries.end(), some.begin(), some.end());
     return SunMap(mapInputs(waves, options.photons, options.seed), queries, progress);
-}
-
-namespace {
-
-std::string identityOf(const TargetCamera& camera)
-{
-    std::string text = fmt::format(" {},{} far {} clip {} {} {}", camera.tangents.x, camera.tangents.y, camera.farPlane,
-                                   camera.clipLevel, camera.keepsAbove, camera.throughFlatWater);
-    for (int i = 0; i < 16; ++i) text += fmt::format(" {}", camera.viewFromWorld[i / 4][i % 4]);
-    return text;
-}
-
-std::string identityOf(const Approximations& rough)
-{
-    std::string text;
-    if (rough.schlickExponent > 0.0f) text += fmt::format("; Schlick {}", rough.schlickExponent);
-    if (rough.attenuationLength > 0.0f) text += fmt::format("; fades over {} m", rough.attenuationLength);
-    if (const auto& table = rough.fresnelTable)
-        text += fmt::format("; Fresnel of {} texels{}", table->texels.size(),
-                            table->filter == optics::TableFilter::linear ? " blended" : "");
-    if (rough.refraction)
-        text += fmt::format("; refraction {} {}", rough.refractionSteps, rough.planarRefraction) +
-                identityOf(*rough.refraction);
-    if (rough.reflection)
-        text += fmt::format("; reflection {} {}", rough.reflectionSteps, rough.reflectionDistance) +
-                identityOf(*rough.reflection);
-    for (const auto& texels : {rough.refractionTexels, rough.reflectionTexels})
-        if (texels) text += fmt::format("; texels {}", texels->resolution) + identityOf(texels->camera);
-    if (const auto& map = rough.shadows) {
-        text += fmt::format("; shadows {} {}", map->resolution, map->taps);
-        for (const ShadowTexels::Cascade& c : map->cascades)
-            text += fmt::format(" {},{} {},{} {}", c.rect.x, c.rect.y, c.rect.z, c.rect.w, c.bias);
-    }
-    return text;
-}
-
-} // namespace
-
-std::string Tracer::State::identity(const ViewRequest& view, const ReferenceOptions& options) const
-{
-    const Camera& c = view.camera;
-    const auto triple = [](const vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
-    std::string text = fmt::format(
-        "{}; eye {}; target {}; up {}; fov {}; time {}; {}x{}; depth {}; bounces {}; photons {}; seed {}; water {} {} "
-        "{},{} {},{}; grid {}{}; flat {}; sun {}; roughness {}",
-        scene.file.string(), triple(c.eye), triple(c.target), triple(c.up), c.verticalFov, view.time, view.size.x,
-        view.size.y, options.depth, options.bounces, options.photons, options.seed, body.level, body.ior, body.extent.x,
-        body.extent.y, body.centre.x, body.centre.y, view.gridSize,
-        view.gridSize > 0 && view.gridFocused ? " focused" : "", view.flatLight, triple(light.sunDirection),
-        sunSlopeDeviation);
-    for (const Wave& w : body.waves)
-        text += fmt::format("; {} {} {} {} {}", w.amplitude, w.wavelength, w.direction, w.phase, w.period);
-    if (const WaterNormalMap& map = body.normalMap; normalMap()) {
-        text += fmt::format("; normals {} {} {}", map.file.string(), map.tile, map.bump);
-        for (const auto& layer : map.layers) text += fmt::format(" {},{}", layer.velocity.x, layer.velocity.y);
-    }
-    text += fmt::format("; {}; {}; {} triangles at {}", triple(body.absorption), triple(body.colour),
-                        scene.meshes.size(), triple(geometry.bounds().upper));
-    if (c.lensShift != 0.0f) text += fmt::format("; lens shift {}", c.lensShift);
-    if (view.normalGridSize > 0) text += fmt::format("; normals of grid {}", view.normalGridSize);
-    if (const auto& map = view.causticsTexture)
-        text += fmt::format("; caustics {},{} {},{} by {} filter {}", map->rect.x, map->rect.y, map->rect.z,
-                            map->rect.w, map->texel, map->filter);
-    return text + identityOf(view.approximations);
 }
 
 namespace {
@@ -343,6 +266,7 @@ Picture Tracer::render(const ViewRequest& view, const ReferenceOptions& options,
                      .photons = map.photonCount(),
                      .radianceNoise = noiseOf(sums)};
     picture.metadata = {{"tarn:samples", fmt::format("{}", sums.samples)},
+                        {"tarn:scene_content", s.sceneIdentity()},
                         {"tarn:reference", identity},
                         {"tarn:radiance", "linear RGB; times 1/n^2 where it leaves the water and n^2 where it enters"},
                         {"tarn:truncated_fraction", fmt::format("{:.3g}", done.truncatedFraction)},

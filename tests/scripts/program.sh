@@ -103,6 +103,11 @@ test_error_map() {
     refuse 1 'size 8x8.*40x30' render "$pool" --error path --reference "$truth" --size 8x8 --out a.png
     refuse 1 'map\.exr' render "$pool" --error path --reference "$work/map.exr" --out a.png
     refuse 1 'nowhere\.exr' render "$pool" --error path --reference nowhere.exr --out a.png
+    # The truth of another scene, or of other water, is none.
+    sed 's/^ior = .*//; s/^\[water\]/[water]\nior = 1.2/' "$pool" >other.toml
+    cp "${pool%/*}/checker.png" .
+    refuse 1 'truth\.exr: shows another scene than .*other\.toml: .*the water differ' \
+        render other.toml --error path --reference "$truth" --out a.png
 }
 
 # Two eyes: one picture twice as wide, one anaglyph, or two files; the reference's pair, and the disparity between both.

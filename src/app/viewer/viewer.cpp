@@ -114,7 +114,7 @@ void Viewer::begin()
     camera_.jumpTo(chosen);
     if (!truth_) return;
     const ReferenceView view = referenceView(*truth_, sceneSetup_.scene, command_.reference);
-    warnOfOtherScene(*truth_, sceneSetup_.scene, command_.reference);
+    requireSameScene(*truth_, sceneSetup_, command_.reference);
     comparison_ = std::make_unique<Comparison>(*std::move(truth_), view);
     truth_.reset();
     if (!command_.view.camera.isGiven()) camera_.jumpTo(view.camera);

@@ -46,7 +46,7 @@ TradeStore::TradeStore(fs::path folder, const TradeKey& key, bool fresh) : folde
     makeFolder(folder_);
     if (fresh) {
         std::error_code ignored;
-        fs::remove_all(folder_ / "results", ignored);
+        for (const char* made : {"results", "references"}) fs::remove_all(folder_ / made, ignored);
         fs::remove(folder_ / keyFile, ignored);
     }
     makeFolder(folder_ / "results");

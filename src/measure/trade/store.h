@@ -20,8 +20,8 @@ using TradeKey = std::map<std::string, std::string>;
 
 class TradeStore {
 public:
-    /// Opens the folder, or makes it. With `fresh`, older measurements in it are removed. Throws Error when
-    /// it holds measurements under another key, saying what differs, or when it cannot be written.
+    /// Opens the folder, or makes it. With `fresh`, older measurements and references in it are removed. Throws Error
+    /// when it holds measurements under another key, saying what differs, or when it cannot be written.
     TradeStore(std::filesystem::path folder, const TradeKey& key, bool fresh);
 
     const std::filesystem::path& folder() const { return folder_; }
