@@ -27,13 +27,13 @@ void main()
     int triangle = gl_VertexID / 3;
     int own = gl_VertexID % 3;
     int cell = triangle / 2;
-    ivec2 lattice = ivec2(cell % (photonsPerSide - 1), cell / (photonsPerSide - 1));
+    ivec2 first = ivec2(cell % (photonsPerSide - 1), cell / (photonsPerSide - 1)); // photon at the cell's corner
     ivec2 offset[3] = (triangle & 1) == 0 ? ivec2[3](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0))
                                           : ivec2[3](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
     vec2 corner[3]; // on the bed, in texels
     light = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
-        vec4 photon = texelFetch(photons, lattice + offset[i], 0);
+        vec4 photon = texelFetch(photons, first + offset[i], 0);
         corner[i] = photon.xy * textureResolution;
         light += lightOf(photon) / 6.0; // half a photon's cell lies between three of them
     }
