@@ -7,6 +7,10 @@
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/trigonometry.glsl"
+#if WAVE_COUNT > 0
+uniform float waveWeights[WAVE_COUNT]; // what is left of each wave: the lattice cannot carry those shorter than its cells
+#endif
+#define WAVE_WEIGHTS
 #include "shared/waves.glsl"
 #include "shared/intersection.glsl"
 #include "shared/sunlight.glsl"
@@ -15,28 +19,7 @@
 
 in vec2 uv;
 
-#if WAVE_COUNT > 0
-uniform float waveWeights[WAVE_COUNT]; // what is left of each wave: the lattice cannot carry those shorter than its cells
-#endif
-
 out vec4 fragment;
-
-struct SurfacePoint {
-    float height; // over the level
-    vec2 slope;
-};
-
-SurfacePoint surfaceAt(vec2 x)
-{
-    SurfacePoint s;
-    vec3 sum = vec3(0.0);
-#define WAVE(i) sum += waveWeights[i] * waveTerm(waves[i], x, time);
-    EACH_WAVE
-#undef WAVE
-    s.height = sum.x;
-    s.slope = sum.yz;
-    return s;
-}
 
 // A of section 7.1 for a point W: what the refracted sun's light through W meets. Here and below points are written
 // (x, z, y), so that the third coordinate is the depth along the camera's axis that intersection.glsl compares.
@@ -55,11 +38,11 @@ void main()
 
     // U: where the ray meets the waves, by one step of Newton's method from the level.
     vec2 slantAir = sunShear(sunDirection);
-    SurfacePoint surface = surfaceAt(plane);
+    WaveSum surface = weightedWaveSum(plane, time);
     float height = surface.height / max(1.0 - dot(surface.slope, slantAir), 0.2);
     vec2 xz = plane + slantAir * height;
 #ifdef SURFACE_MOVES_SIDEWAYS // the waves' height shifts U by more than a part of a photon's cell
-    surface = surfaceAt(xz);
+    surface = weightedWaveSum(xz, time);
 #endif
     vec3 U = vec3(xz, waterLevel + height);
 

@@ -3,6 +3,8 @@
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/trigonometry.glsl"
+// The first four: those that are not there have no amplitude.
+#define EACH_WAVE WAVE(0) WAVE(1) WAVE(2) WAVE(3)
 #include "shared/waves.glsl"
 
 in vec3 positionW;
@@ -11,15 +13,12 @@ uniform samplerCube skyMap;
 
 out vec4 fragment; // blended: its own radiance, and the part of what is behind that it hides
 
-const int drawnWaves = 4; // those that are not there have no amplitude
-
 void main()
 {
     vec3 toEye = eye - positionW;
     float range = length(toEye);
     toEye /= range;
-    vec2 slope = vec2(0.0);
-    for (int i = 0; i < drawnWaves; ++i) slope += waveTerm(waves[i], positionW.xz, time).yz;
+    vec2 slope = waveSum(positionW.xz, time).slope;
     // Far away a pixel spans many waves, and sees their mean.
     slope *= min(1.0, 8.0 / range);
 #ifdef UNDERWATER

@@ -15,13 +15,10 @@ void main()
 {
     vec2 xz = vec2(gridPosition(waterGrid[0], line.x), gridPosition(waterGrid[1], line.y));
     vec2 cell = vec2(gridCell(waterGrid[0], line.x), gridCell(waterGrid[1], line.y));
-    vec3 sum = vec3(0.0); // height and slope
-#define WAVE(i) sum += gridTerm(waves[i], xz, cell, time);
-    EACH_WAVE
-#undef WAVE
-    drawnW = vec3(xz.x, waterLevel + sum.x, xz.y);
+    WaveSum sum = gridSum(xz, cell, time);
+    drawnW = vec3(xz.x, waterLevel + sum.height, xz.y);
 #ifdef VERTEX_NORMALS
-    vertexSlope = sum.yz;
+    vertexSlope = sum.slope;
 #endif
     gl_Position = clipFromWorld * vec4(drawnW, 1.0);
 }

@@ -1,5 +1,5 @@
 // The point U of the water's surface that a fragment shows, for the passes that draw it. Needs blocks.glsl, waves.glsl and
-// normal_map.glsl. EACH_WAVE: wave_defines.h.
+// normal_map.glsl.
 
 in vec3 drawnW; // what the grid's triangle shows
 #ifdef VERTEX_NORMALS
@@ -24,12 +24,9 @@ struct Surface {
 // moved: m along the ray so far.
 float surfaceStep(float moved, vec3 direction, float side, float least, float most)
 {
-    vec3 sum = vec3(0.0); // height and slope
-#define WAVE(i) sum += waveTerm(waves[i], surfaceW.xz, time);
-    EACH_WAVE
-#undef WAVE
-    float gap = surfaceW.y - waterLevel - sum.x;
-    float rate = side * (direction.y - dot(sum.yz, direction.xz));
+    WaveSum sum = waveSum(surfaceW.xz, time);
+    float gap = surfaceW.y - waterLevel - sum.height;
+    float rate = side * (direction.y - dot(sum.slope, direction.xz));
     float next = clamp(moved - side * gap / max(rate, least), -most, most);
     surfaceW = drawnW + next * direction;
     return next;
@@ -84,20 +81,6 @@ void addRipples(inout Surface s)
 }
 #endif
 
-#ifndef VERTEX_NORMALS
-// A wave's slope at U, what of it a pixel with these edges (m, x and z) can show, and the variance that it cannot.
-void addSlope(WaveTerm w, vec2 across, vec2 along, inout vec2 slope, inout vec2 meanSlope, inout float slopeVariance)
-{
-    vec2 termSlope = waveTerm(w, surfaceW.xz, time).yz;
-    slope += termSlope;
-#ifdef FILTER_WAVES
-    float weight = waveFilterOverPixel(w, across, along);
-    slopeVariance += 0.5 * waveFilteredVariance(w, weight);
-    meanSlope += weight * termSlope;
-#endif
-}
-#endif
-
 Surface surfaceHere()
 {
     Surface s;
@@ -109,19 +92,16 @@ Surface surfaceHere()
 #ifdef VERTEX_NORMALS
     s.normal = waveNormal(vertexSlope);
     s.meanNormal = s.normal;
-#else
+#elif defined(FILTER_WAVES)
     // A wave fades, before it aliases, by how much of it lies between two pixels.
-    vec2 across = footprint * dFdx(drawnW.xz);
-    vec2 along = footprint * dFdy(drawnW.xz);
-    vec2 slope = vec2(0.0), meanSlope = vec2(0.0);
-#define WAVE(i) addSlope(waves[i], across, along, slope, meanSlope, s.slopeVariance);
-    EACH_WAVE
-#undef WAVE
-    s.normal = waveNormal(slope);
+    vec2 across = footprint * dFdx(drawnW.xz), along = footprint * dFdy(drawnW.xz);
+    FilteredWaves sum = filteredWaves(surfaceW.xz, time, across, along, s.slopeVariance);
+    s.normal = waveNormal(sum.slope);
+    s.meanNormal = waveNormal(sum.meanSlope);
+    s.slopeVariance = sum.slopeVariance;
+#else
+    s.normal = waveNormal(waveSum(surfaceW.xz, time).slope);
     s.meanNormal = s.normal;
-#ifdef FILTER_WAVES
-    s.meanNormal = waveNormal(meanSlope);
-#endif
 #endif
     s.plainNormal = s.meanNormal;
 #ifdef NORMAL_MAP

@@ -20,7 +20,7 @@ out vec4 fragment;
 
 float heightOver(vec3 p)
 {
-    return p.y - waterLevel - gridHeight(int(waveCount), p.xz, time, waterGrid[0], waterGrid[1]);
+    return p.y - waterLevel - gridHeight(p.xz, time, waterGrid[0], waterGrid[1]);
 }
 
 void main()

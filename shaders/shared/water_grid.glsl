@@ -77,36 +77,62 @@ SHARED float gridFade(WaveTerm w, vec2 cell)
     return 1.0 - x * x * (3.0 - 2.0 * x);
 }
 
-// Height and slope of a component at a vertex.
-SHARED vec3 gridTerm(WaveTerm w, vec2 position, vec2 cell, float t)
+// Height and slope of the surface at a vertex.
+SHARED WaveSum gridSum(WAVE_ARRAY vec2 position, vec2 cell, float t)
 {
-    return gridFade(w, cell) * waveTerm(w, position, t);
+    WaveSum sum = noWaves();
+#define WAVE(i) sum = addWave(sum, waves[i], gridFade(waves[i], cell), position, t);
+    EACH_WAVE
+#undef WAVE
+    return sum;
+}
+
+// Height of one component at a vertex.
+SHARED float gridVertexHeight(WaveTerm w, vec2 position, vec2 cell, float t)
+{
+    return gridFade(w, cell) * waveTerm(w, position, t).x;
+}
+
+// A right triangle of the grid, and a point in it.
+struct GridTriangle {
+    vec2 corner;       // x and z of the vertex at the right angle, m
+    vec2 opposite;     // x of the vertex beside it, z of the other
+    vec2 cellCorner;   // gridCell of each
+    vec2 cellOpposite;
+    vec2 weight;       // of the vertices at the ends of the legs along x and z
+};
+
+// Height of one component at the triangle's point: linear between the vertices.
+SHARED float gridTriangleHeight(WaveTerm w, GridTriangle g, float t)
+{
+    float corner = gridVertexHeight(w, g.corner, g.cellCorner, t);
+    float alongX = gridVertexHeight(w, vec2(g.opposite.x, g.corner.y), vec2(g.cellOpposite.x, g.cellCorner.y), t);
+    float alongZ = gridVertexHeight(w, vec2(g.corner.x, g.opposite.y), vec2(g.cellCorner.x, g.cellOpposite.y), t);
+    return corner + g.weight.x * (alongX - corner) + g.weight.y * (alongZ - corner);
 }
 
 // Height of the surface as it is drawn: the triangulation is that of src/render/water_grid.cpp. x lies in the rectangle
 // or is taken at its edge.
-SHARED float gridHeight(WAVE_ARRAY int count, vec2 x, float t, GridAxis axisX, GridAxis axisZ)
+SHARED float gridHeight(WAVE_ARRAY vec2 x, float t, GridAxis axisX, GridAxis axisZ)
 {
-    vec2 corner = vec2(min(floor(gridLine(axisX, x.x)), axisX.vertices - 2.0),
-                       min(floor(gridLine(axisZ, x.y)), axisZ.vertices - 2.0));
-    vec2 lower = vec2(gridPosition(axisX, corner.x), gridPosition(axisZ, corner.y));
-    vec2 upper = vec2(gridPosition(axisX, corner.x + 1.0), gridPosition(axisZ, corner.y + 1.0));
+    vec2 line = vec2(min(floor(gridLine(axisX, x.x)), axisX.vertices - 2.0),
+                     min(floor(gridLine(axisZ, x.y)), axisZ.vertices - 2.0));
+    vec2 lower = vec2(gridPosition(axisX, line.x), gridPosition(axisZ, line.y));
+    vec2 upper = vec2(gridPosition(axisX, line.x + 1.0), gridPosition(axisZ, line.y + 1.0));
     vec2 f = clamp((x - lower) / max(upper - lower, vec2(1.0e-9)), vec2(0.0), vec2(1.0));
-    vec2 cellLower = vec2(gridCell(axisX, corner.x), gridCell(axisZ, corner.y));
-    vec2 cellUpper = vec2(gridCell(axisX, corner.x + 1.0), gridCell(axisZ, corner.y + 1.0));
-    // The corner that the two triangles of a cell do not share, its opposite, and the way from it into the cell.
+    vec2 cellLower = vec2(gridCell(axisX, line.x), gridCell(axisZ, line.y));
+    vec2 cellUpper = vec2(gridCell(axisX, line.x + 1.0), gridCell(axisZ, line.y + 1.0));
+    // The cell's diagonal joins the vertices that its two triangles share.
     bool isFirst = f.x + f.y <= 1.0;
-    vec2 own = isFirst ? lower : upper;
-    vec2 other = isFirst ? upper : lower;
-    vec2 cellOwn = isFirst ? cellLower : cellUpper;
-    vec2 cellOther = isFirst ? cellUpper : cellLower;
-    vec2 weight = isFirst ? f : vec2(1.0) - f;
+    GridTriangle triangle;
+    triangle.corner = isFirst ? lower : upper;
+    triangle.opposite = isFirst ? upper : lower;
+    triangle.cellCorner = isFirst ? cellLower : cellUpper;
+    triangle.cellOpposite = isFirst ? cellUpper : cellLower;
+    triangle.weight = isFirst ? f : vec2(1.0) - f;
     float height = 0.0;
-    for (int i = 0; i < count; ++i) {
-        float here = gridTerm(waves[i], own, cellOwn, t).x;
-        float across = gridTerm(waves[i], vec2(other.x, own.y), vec2(cellOther.x, cellOwn.y), t).x;
-        float along = gridTerm(waves[i], vec2(own.x, other.y), vec2(cellOwn.x, cellOther.y), t).x;
-        height += here + weight.x * (across - here) + weight.y * (along - here);
-    }
+#define WAVE(i) height += gridTriangleHeight(waves[i], triangle, t);
+    EACH_WAVE
+#undef WAVE
     return height;
 }

@@ -5,7 +5,7 @@
 # The files are already C++ over GLM but for five things, which this script changes:
 # - SHARED before a function becomes inline;
 # - UNIFORM_BLOCK(Name) becomes struct Name;
-# - WAVE_ARRAY, by which GLSL reads a uniform array, becomes a pointer parameter;
+# - WAVE_ARRAY and WEIGHT_ARRAY, by which GLSL reads uniform arrays, become parameters;
 # - float: literals get their `f`, without which an expression would be computed in double and then narrowed;
 # - double: float, vec and mat become double, dvec and dmat.
 # #line keeps the compiler's messages, and the debugger, on the shader's own file.
@@ -19,8 +19,9 @@ foreach(input ${inputs})
   # Comments go first: they hold numbers and words that must not be touched, and semicolons and brackets that
   # CMake's lists trip over.
   string(REGEX REPLACE "//[^\n]*" "" code "${code}")
-  string(REGEX REPLACE "#define WAVE_ARRAY" "" code "${code}")
-  string(REPLACE "WAVE_ARRAY" "const WaveTerm* waves," code "${code}")
+  string(REGEX REPLACE "#define (WAVE|WEIGHT)_ARRAY" "" code "${code}")
+  string(REPLACE "WAVE_ARRAY" "const WaveTerm* waves, int waveCount," code "${code}")
+  string(REPLACE "WEIGHT_ARRAY" "const float* waveWeights," code "${code}")
   string(REGEX REPLACE "SHARED " "inline " code "${code}")
   string(REGEX REPLACE "UNIFORM_BLOCK\\(([A-Za-z0-9_]+)\\)" "struct \\1" code "${code}")
   if(PRECISION STREQUAL "float")

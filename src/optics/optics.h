@@ -45,6 +45,9 @@ inline dvec2 sineAndCosine(double angle) { return {std::sin(angle), std::cos(ang
 
 } // namespace tarn
 
+#define WAVE_WEIGHTS
 #include "generated/blocks_double.h"
 #include "generated/optics_double.h"
 #include "generated/optics_float.h"
+#undef WAVE_WEIGHTS
+#undef EACH_WAVE // the loop of waves.glsl

@@ -47,9 +47,9 @@ WaveTerm makeWaveTerm(float amplitude, float wavelength, float direction, float 
     return makeTerm<WaveTerm>(amplitude, wavelength, direction, phase, period, gravity);
 }
 
-WaveSample waveAt(std::span<const WaveTerm> waves, vec2 x, float t)
+WaveSum waveAt(std::span<const WaveTerm> waves, vec2 x, float t)
 {
-    return waveSum(waves.data(), static_cast<int>(waves.size()), x, t, 0.0f);
+    return waveSum(waves.data(), static_cast<int>(waves.size()), x, t);
 }
 
 float waveHeight(std::span<const WaveTerm> waves, vec2 x, float t) { return waveAt(waves, x, t).height; }
@@ -70,9 +70,9 @@ WaveTerm makeWaveTerm(double amplitude, double wavelength, double direction, dou
     return makeTerm<WaveTerm>(amplitude, wavelength, direction, phase, period, gravity);
 }
 
-WaveSample waveAt(std::span<const WaveTerm> waves, dvec2 x, double t)
+WaveSum waveAt(std::span<const WaveTerm> waves, dvec2 x, double t)
 {
-    return waveSum(waves.data(), static_cast<int>(waves.size()), x, t, 0.0);
+    return waveSum(waves.data(), static_cast<int>(waves.size()), x, t);
 }
 
 double waveHeight(std::span<const WaveTerm> waves, dvec2 x, double t) { return waveAt(waves, x, t).height; }

@@ -18,8 +18,8 @@ namespace tarn::optics {
 WaveTerm makeWaveTerm(float amplitude, float wavelength, float direction, float phase, float period = 0.0f,
                       float gravity = 9.81f);
 
-/// Height and slope, all components, unfiltered.
-WaveSample waveAt(std::span<const WaveTerm> waves, vec2 x, float t);
+/// Height and slope, all components: waveSum of shaders/shared/waves.glsl.
+WaveSum waveAt(std::span<const WaveTerm> waves, vec2 x, float t);
 float waveHeight(std::span<const WaveTerm> waves, vec2 x, float t);
 /// Upward unit normal.
 vec3 waveNormalAt(std::span<const WaveTerm> waves, vec2 x, float t);
@@ -35,7 +35,7 @@ namespace tarn::optics64 {
 
 WaveTerm makeWaveTerm(double amplitude, double wavelength, double direction, double phase, double period = 0.0,
                       double gravity = 9.81);
-WaveSample waveAt(std::span<const WaveTerm> waves, dvec2 x, double t);
+WaveSum waveAt(std::span<const WaveTerm> waves, dvec2 x, double t);
 double waveHeight(std::span<const WaveTerm> waves, dvec2 x, double t);
 dvec3 waveNormalAt(std::span<const WaveTerm> waves, dvec2 x, double t);
 double totalAmplitude(std::span<const WaveTerm> waves);

@@ -43,7 +43,7 @@ float surfaceHeight(const WaterBody& water, vec2 xz, double time)
     for (const Wave& wave : water.waves) {
         const auto term =
             optics64::makeWaveTerm(wave.amplitude, wave.wavelength, wave.direction, wave.phase, wave.period);
-        height += optics64::waveTerm(term, glm::dvec2(xz), time).x;
+        height += optics64::waveHeight({&term, 1}, glm::dvec2(xz), time);
     }
     return static_cast<float>(height);
 }

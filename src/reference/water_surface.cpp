@@ -129,9 +129,7 @@ double WaterSurface::height(double x, double z) const
     if (grid_)
         return level_ + optics64::gridHeight(waves_.data(), static_cast<int>(waves_.size()), {x, z}, time_, (*grid_)[0],
                                              (*grid_)[1]);
-    double sum = level_;
-    for (const optics64::WaveTerm& w : waves_) sum += optics64::waveTerm(w, {x, z}, time_).x;
-    return sum;
+    return level_ + optics64::waveHeight(waves_, {x, z}, time_);
 }
 
 bool WaterSurface::contains(const dvec3& point) const
@@ -183,23 +181,13 @@ dvec3 WaterSurface::drawnNormal(double x, double z) const
     const dvec2 weight = isFirst ? f : 1.0 - f;
     const auto vertex = [&](const dvec2& at) {
         const dvec2 p = place(at), cell(optics64::gridCell(axisX, at.x), optics64::gridCell(axisZ, at.y));
-        dvec3 sum(0.0);
-        for (const optics64::WaveTerm& w : waves_) sum += optics64::gridTerm(w, p, cell, time_);
-        return dvec2(sum.y, sum.z);
+        return optics64::gridSum(waves_.data(), static_cast<int>(waves_.size()), p, cell, time_).slope;
     };
     return optics64::waveNormal((1.0 - weight.x - weight.y) * vertex(own) + weight.x * vertex(own + dvec2(way, 0.0)) +
                                 weight.y * vertex(own + dvec2(0.0, way)));
 }
 
-dvec3 WaterSurface::waveNormal(double x, double z) const
-{
-    dvec2 slope(0.0);
-    for (const optics64::WaveTerm& w : waves_) {
-        const dvec3 term = optics64::waveTerm(w, {x, z}, time_);
-        slope += dvec2(term.y, term.z);
-    }
-    return optics64::waveNormal(slope);
-}
+dvec3 WaterSurface::waveNormal(double x, double z) const { return optics64::waveNormalAt(waves_, {x, z}, time_); }
 
 double WaterSurface::heightAbove(const dvec3& point) const { return point.y - height(point.x, point.z); }
 
@@ -244,12 +232,9 @@ std::optional<double> WaterSurface::intersect(const Ray& ray, double tMin, doubl
 double WaterSurface::polish(const Ray& ray, double t, double side) const
 {
     const dvec3 p = ray.origin + t * ray.direction;
-    double gap = p.y - level_, rate = ray.direction.y;
-    for (const optics64::WaveTerm& w : waves_) {
-        const dvec3 term = optics64::waveTerm(w, {p.x, p.z}, time_);
-        gap -= term.x;
-        rate -= term.y * ray.direction.x + term.z * ray.direction.z;
-    }
+    const optics64::WaveSum surface = optics64::waveAt(waves_, {p.x, p.z}, time_);
+    const double gap = p.y - level_ - surface.height;
+    const double rate = ray.direction.y - glm::dot(surface.slope, dvec2(ray.direction.x, ray.direction.z));
     // Where the ray grazes the surface the step has no bound, and there is nothing to gain.
     if (side * rate > -1e-3) return t;
     const double step = -gap / rate;

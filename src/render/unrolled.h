@@ -14,7 +14,7 @@ namespace tarn {
 
 /// The definition of `macro`: BODY(0) BODY(1) … BODY(count - 1), each a statement of its own, to be used as
 ///
-///     #define WAVE(i) sum += waveTerm(waves[i], x, time);
+///     #define WAVE(i) sum = addWave(sum, waves[i], 1.0, x, time);
 ///         EACH_WAVE
 ///     #undef WAVE
 ///
@@ -28,7 +28,7 @@ inline std::pair<std::string, std::string> unrolled(const std::string& macro, co
     return {macro, text};
 }
 
-/// EACH_WAVE: what is done with each wave, WAVE(i).
+/// EACH_WAVE of shaders/shared/waves.glsl, for a known number of waves.
 inline std::pair<std::string, std::string> eachWave(int waveCount)
 {
     constexpr int most = 32;

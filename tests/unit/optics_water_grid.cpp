@@ -1,14 +1,18 @@
 // The lines of the water's grid: ordered, pinned to the rectangle, found again, and gliding with the eye.
 #include "optics/water_grid.h"
+#include "optics/waves.h"
 #include "scene/camera.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace tarn {
 namespace {
 
+using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 
@@ -93,6 +97,58 @@ TEST(WaterGrid, LinesGlideWithTheEye)
                     << "step " << step << " axis " << axis << " line " << line;
         last = grid;
     }
+}
+
+const std::vector<optics64::WaveTerm> waves{optics64::makeWaveTerm(0.05, 4.0, 0.3, 0.1),
+                                            optics64::makeWaveTerm(0.03, 2.3, 1.7, 1.0),
+                                            optics64::makeWaveTerm(0.01, 0.6, -2.5, 2.0)};
+
+optics64::WaveSum vertex(const dvec2& position, const dvec2& cell)
+{
+    return optics64::gridSum(waves.data(), static_cast<int>(waves.size()), position, cell, 0.7);
+}
+
+double drawnHeight(const optics64::WaterGrid& grid, const dvec2& x)
+{
+    return optics64::gridHeight(waves.data(), static_cast<int>(waves.size()), x, 0.7, grid[0], grid[1]);
+}
+
+// Fine cells show all of the waves; from one and a half to a wavelength on there is nothing left of any.
+TEST(WaterGrid, AVertexShowsWhatItsCellsCanCarry)
+{
+    for (int i = 0; i < 50; ++i) {
+        const dvec2 x(0.7 * i - 10.0, 3.0 - 0.4 * i);
+        const optics64::WaveSum all = optics64::waveAt(waves, x, 0.7), fine = vertex(x, dvec2(0.01));
+        EXPECT_EQ(fine.height, all.height);
+        EXPECT_EQ(fine.slope, all.slope);
+        EXPECT_EQ(vertex(x, dvec2(100.0)).height, 0.0);
+        EXPECT_NEAR(vertex(x, dvec2(0.5)).height, optics64::waveHeight({waves.data(), 2}, x, 0.7), 1e-15);
+    }
+}
+
+// The triangles go through the vertices, and are flat in between.
+TEST(WaterGrid, TheDrawnHeightIsLinearBetweenTheVertices)
+{
+    const optics64::WaterGrid grid = gridOf(places[0].eye, places[0].target, {-1, -2, 73, 56}, 97);
+    const auto at = [&](double line, double row) {
+        return dvec2(optics64::gridPosition(grid[0], line), optics64::gridPosition(grid[1], row));
+    };
+    const auto height = [&](double line, double row) {
+        return vertex(at(line, row), {optics64::gridCell(grid[0], line), optics64::gridCell(grid[1], row)}).height;
+    };
+    double highest = 0.0;
+    for (double line = 1.0; line < 95.0; line += 3.0) {
+        for (double row = 1.0; row < 95.0; row += 3.0) {
+            const dvec2 lower = at(line, row), size = at(line + 1.0, row + 1.0) - lower;
+            const double first = height(line, row), last = height(line + 1.0, row + 1.0);
+            const double x = height(line + 1.0, row), z = height(line, row + 1.0);
+            highest = std::max(highest, std::abs(first));
+            EXPECT_NEAR(drawnHeight(grid, lower + 1e-9 * size), first, 1e-8);
+            EXPECT_NEAR(drawnHeight(grid, lower + 0.25 * size), 0.5 * first + 0.25 * (x + z), 1e-12);
+            EXPECT_NEAR(drawnHeight(grid, lower + 0.75 * size), 0.5 * last + 0.25 * (x + z), 1e-12);
+        }
+    }
+    EXPECT_GT(highest, 0.05);
 }
 
 } // namespace

@@ -77,7 +77,6 @@ TEST(Waves, SlopeIsTheDerivativeOfTheHeight)
         // Perpendicular to both tangents.
         EXPECT_NEAR(glm::dot(normal, dvec3(1.0, sample.slope.x, 0.0)), 0.0, 1e-14);
         EXPECT_NEAR(glm::dot(normal, dvec3(0.0, sample.slope.y, 1.0)), 0.0, 1e-14);
-        EXPECT_EQ(sample.filteredVariance, 0.0);
     }
 }
 
@@ -148,15 +147,66 @@ TEST(WaveFilter, IsTheAverageOverTheFootprint)
     EXPECT_NEAR(sum / weights, optics64::waveFilter(wave, footprint) * exact, 1e-9);
 }
 
+/// A square pixel of this edge (m), along the axes.
+optics64::FilteredWaves filtered(const std::vector<optics64::WaveTerm>& waves, const dvec2& x, double edge,
+                                 double baseVariance = 0.0)
+{
+    return optics64::filteredWaves(waves.data(), static_cast<int>(waves.size()), x, 0.4, {edge, 0.0}, {0.0, edge},
+                                   baseVariance);
+}
+
 TEST(WaveFilter, MovesTheVarianceItTakesToTheGlint)
 {
     const auto waves = someWaves();
-    const auto all = optics64::waveSum(waves.data(), 3, dvec2(1.0, 2.0), 0.0, 1.0e5);
-    EXPECT_NEAR(all.height, 0.0, 1e-15);
-    EXPECT_NEAR(all.filteredVariance, optics64::slopeVariance(waves), 1e-15);
-    const auto some = optics64::waveSum(waves.data(), 3, dvec2(1.0, 2.0), 0.0, 1.0);
-    EXPECT_GT(some.filteredVariance, 0.0);
-    EXPECT_LT(some.filteredVariance, all.filteredVariance);
+    const auto all = filtered(waves, {1.0, 2.0}, 1.0e5);
+    EXPECT_NEAR(glm::length(all.meanSlope), 0.0, 1e-15);
+    EXPECT_NEAR(all.slopeVariance, optics64::slopeVariance(waves), 1e-15);
+    const auto some = filtered(waves, {1.0, 2.0}, 1.0);
+    EXPECT_GT(some.slopeVariance, 0.0);
+    EXPECT_LT(some.slopeVariance, all.slopeVariance);
+    EXPECT_NEAR(filtered(waves, {1.0, 2.0}, 1.0, 0.02).slopeVariance, some.slopeVariance + 0.02, 1e-15);
+}
+
+TEST(WaveFilter, APointSeesTheSurfaceItself)
+{
+    const auto waves = someWaves();
+    for (int i = 0; i < 100; ++i) {
+        const dvec2 x(0.41 * i - 20.0, 7.0 - 0.3 * i);
+        const auto point = filtered(waves, x, 0.0);
+        EXPECT_EQ(point.slope, optics64::waveAt(waves, x, 0.4).slope);
+        EXPECT_EQ(point.meanSlope, point.slope);
+        EXPECT_EQ(point.slopeVariance, 0.0);
+    }
+}
+
+/// The mean slope is the slope of waves whose amplitudes are what the filter leaves of them.
+TEST(WaveFilter, TheMeanSlopeIsThatOfTheFilteredAmplitudes)
+{
+    const auto waves = someWaves();
+    auto faded = waves;
+    const double edge = 0.8;
+    for (auto& w : faded) w.amplitude *= optics64::waveFilter(w, edge);
+    for (int i = 0; i < 100; ++i) {
+        const dvec2 x(0.41 * i - 20.0, 7.0 - 0.3 * i);
+        const dvec2 difference = filtered(waves, x, edge).meanSlope - optics64::waveAt(faded, x, 0.4).slope;
+        EXPECT_NEAR(glm::length(difference), 0.0, 1e-15);
+    }
+}
+
+/// What the sun's photons meet: waves that their lattice cannot carry count less.
+TEST(Waves, WeightsScaleTheAmplitudes)
+{
+    const auto waves = someWaves();
+    const double weights[] = {1.0, 0.25, 0.0};
+    auto scaled = waves;
+    for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i].amplitude *= weights[i];
+    for (int i = 0; i < 100; ++i) {
+        const dvec2 x(0.41 * i - 20.0, 7.0 - 0.3 * i);
+        const auto weighted = optics64::weightedWaveSum(waves.data(), 3, weights, x, 1.3);
+        const auto expected = optics64::waveAt(scaled, x, 1.3);
+        EXPECT_NEAR(weighted.height, expected.height, 1e-16);
+        EXPECT_NEAR(glm::length(weighted.slope - expected.slope), 0.0, 1e-16);
+    }
 }
 
 TEST(Waves, NoneOfThemIsALevelSurface)
