@@ -1,6 +1,7 @@
-// Smooths the caustics texture along one axis, without loss (shared/sunlight.glsl): the filter is the product of two.
+// Smooths the caustics map along one axis, without loss (shared/caustics.glsl): the filter is the product of two.
 // AXIS: ivec2(1, 0) or ivec2(0, 1); EACH_TAP: the cells from -RADIUS to RADIUS, counted from 0.
-#include "shared/sunlight.glsl"
+#include "shared/refraction.glsl"
+#include "shared/caustics.glsl"
 
 uniform sampler2D source;
 

@@ -1,5 +1,6 @@
-// Adds a photon, or a triangle between three, to the caustics texture.
-#include "shared/sunlight.glsl"
+// Adds a photon, or a triangle between three, to the caustics map.
+#include "shared/refraction.glsl"
+#include "shared/caustics.glsl"
 
 flat in vec3 light;
 flat in vec2 centre;

@@ -4,6 +4,7 @@
 // MESH: photons are the corners of triangles that carry the light between them.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
+#include "shared/caustics.glsl"
 
 #if defined(FETCH) || defined(MESH)
 uniform sampler2D photons;
@@ -19,7 +20,7 @@ flat out vec2 centre; // of a point, in texels
 flat out float isPoint; // 1: the triangle was too small to be drawn as one
 #endif
 
-vec3 lightOf(vec4 photon) { return photon.z * beerLambert(absorption, photon.w); }
+vec3 lightOf(vec4 photon) { return photonLight(photon.z, photon.w, absorption); }
 
 #ifdef MESH
 void main()
@@ -37,19 +38,16 @@ void main()
         corner[i] = photon.xy * textureResolution;
         light += lightOf(photon) / 6.0; // half a photon's cell lies between three of them
     }
-    vec2 a = corner[1] - corner[0];
-    vec2 b = corner[2] - corner[0];
-    float area = 0.5 * abs(a.x * b.y - a.y * b.x); // where light folds back, only the orientation changes
+    float area = triangleArea(corner[1] - corner[0], corner[2] - corner[0]);
     centre = (corner[0] + corner[1] + corner[2]) / 3.0;
 
-    // Where light focuses, triangles shrink below what a texel's samples can find, and one that is found by chance
-    // would bring far too much. It becomes a point with the same light: here, a triangle round that point's square.
-    isPoint = area < 0.25 ? 1.0 : 0.0;
+    // A point with the same light is drawn as a triangle round that point's square.
+    isPoint = isAddedAsPoint(area) ? 1.0 : 0.0;
     vec2 position = corner[own];
     if (isPoint > 0.5)
         position = centre + vec2(own == 1 ? 4.5 : -1.5, own == 2 ? 4.5 : -1.5);
     else
-        light /= area; // the ratio of the areas is the intensity
+        light /= area;
     gl_Position = vec4(2.0 * position / textureResolution - 1.0, 0.0, 1.0);
 }
 #else

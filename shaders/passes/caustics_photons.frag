@@ -14,6 +14,7 @@ uniform float waveWeights[WAVE_COUNT]; // what is left of each wave: the lattice
 #include "shared/waves.glsl"
 #include "shared/intersection.glsl"
 #include "shared/sunlight.glsl"
+#include "shared/caustics.glsl"
 #define SHADOW_TAPS 2
 #include "passes/sun_maps.glsl"
 
@@ -27,20 +28,20 @@ vec3 seenBySun(vec3 W, vec2 shear)
 {
     vec2 plane = sunPlane(W.xzy, waterLevel, shear);
     float height = heightFromDepth(textureLod(sunDepth, vec3(sunMapUv(sunRect, plane), submergedLayer), 0.0).r);
-    return vec3(W.xy + shear * (height - W.z), height);
+    return sunRayAtHeight(W, height, shear);
 }
 
 void main()
 {
-    vec2 plane = causticsRect.xy + (2.0 * uv - 1.0) * causticsRect.zw;
+    vec2 plane = sunMapPlane(causticsRect, uv);
     fragment = vec4(uv, 0.0, 0.0); // no light, and a place that does not stretch the mesh
     if (any(greaterThan(abs(plane - waterRect.xy), waterRect.zw))) return;
 
-    // U: where the ray meets the waves, by one step of Newton's method from the level.
-    vec2 slantAir = sunShear(sunDirection);
+    // U: where the ray meets the waves.
+    vec2 shearAbove = sunShear(sunDirection);
     WaveSum surface = weightedWaveSum(plane, time);
-    float height = surface.height / max(1.0 - dot(surface.slope, slantAir), 0.2);
-    vec2 xz = plane + slantAir * height;
+    float height = photonEntryHeight(surface.height, surface.slope, shearAbove);
+    vec2 xz = plane + shearAbove * height;
 #ifdef SURFACE_MOVES_SIDEWAYS // the waves' height shifts U by more than a part of a photon's cell
     surface = weightedWaveSum(xz, time);
 #endif
@@ -68,11 +69,10 @@ void main()
         path = distance(hit, U);
     }
 
-    float light = (1.0 - fresnelExact(cosine, 1.0 / ior)) * photonFraction(causticsBorder.z, causticsBorder.y);
+    float flux = photonFlux(cosine, ior, causticsBorder.z, causticsBorder.y);
     // A beach a hand above the level is not in the way of what enters beside it.
 #ifdef SHADOWS
-    light *= sunVisibility(firstCascadeLayer, sunRect, plane, U.z, vec2(0.0), 0.1);
+    flux *= sunVisibility(firstCascadeLayer, sunRect, plane, U.z, vec2(0.0), 0.1);
 #endif
-    vec2 where = sunPlane(hit.xzy, waterLevel, shear);
-    fragment = vec4((where - causticsRect.xy) / causticsRect.zw * 0.5 + 0.5, light, path);
+    fragment = vec4(sunMapUv(causticsRect, sunPlane(hit.xzy, waterLevel, shear)), flux, path);
 }

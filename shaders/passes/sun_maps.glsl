@@ -5,8 +5,6 @@
 uniform sampler2DArray sunDepth;
 const int submergedLayer = 0, firstCascadeLayer = 1;
 
-vec2 sunMapUv(vec4 rect, vec2 plane) { return (plane - rect.xy) / rect.zw * 0.5 + 0.5; }
-
 float heightFromDepth(float depth01) { return mix(sunHeights.y, sunHeights.x, depth01); }
 
 bool isInside(vec4 rect, vec2 plane) { return all(lessThanEqual(abs(plane - rect.xy), rect.zw)); }

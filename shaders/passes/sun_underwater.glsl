@@ -1,6 +1,8 @@
-// The sun's light on a point under water. Needs blocks.glsl, refraction.glsl and, with SHADOWS or CAUSTICS,
-// sunlight.glsl and sun_maps.glsl.
+// The sun's light on a point under water. Needs blocks.glsl, refraction.glsl, with SHADOWS or CAUSTICS sunlight.glsl, and
+// with SHADOWS sun_maps.glsl.
 #ifdef CAUSTICS
+#include "shared/caustics.glsl"
+
 uniform sampler2D causticsMap;
 #endif
 
@@ -16,10 +18,7 @@ vec3 sunUnderwater(vec3 point, vec3 across, vec3 along, float offBy)
 #endif
     float fromTexture = 0.0;
 #ifdef CAUSTICS
-    // No waves, and so no photons, beside the water's rectangle: what is lit from there sees a flat surface.
-    vec2 fromEdge = min(causticsRect.zw - abs(plane - causticsRect.xy), waterRect.zw - abs(plane - waterRect.xy));
-    float inside = min(fromEdge.x, fromEdge.y);
-    fromTexture = clamp(inside / max(causticsBorder.x, 2.0 * causticsBorder.y), 0.0, 1.0);
+    fromTexture = causticsFade(plane, causticsRect, waterRect, causticsBorder.x, causticsBorder.y);
 #endif
 #ifdef SHADOWS
     vec2 gradient = sunPlaneGradient(cross(across, along), shear);
@@ -28,11 +27,11 @@ vec3 sunUnderwater(vec3 point, vec3 across, vec3 along, float offBy)
     if (fromTexture < 1.0) sun *= sunVisibility(firstCascadeLayer, sunRect, plane, height, gradient, sunBiases.x);
 #endif
 #ifdef CAUSTICS
-    // The texture holds light through a level area relative to the same above the water.
-    vec2 scale = 0.5 / causticsRect.zw;
-    vec3 light = textureGrad(causticsMap, (plane - causticsRect.xy) * scale + 0.5,
-                             sunPlane(across, 0.0, shear) * scale, sunPlane(along, 0.0, shear) * scale).rgb;
-    sun = mix(sun, light * sunIrradiance * (sunDirection.y / sunDirectionBelow.y), fromTexture);
+    // From the map's centre, with the scale of the derivatives.
+    vec3 relative = textureGrad(causticsMap, sunMapUvDifference(causticsRect, plane - causticsRect.xy) + 0.5,
+                                sunMapUvDifference(causticsRect, sunPlane(across, 0.0, shear)),
+                                sunMapUvDifference(causticsRect, sunPlane(along, 0.0, shear))).rgb;
+    sun = mix(sun, causticsIrradiance(relative, sunIrradiance, sunDirection.y, sunDirectionBelow.y), fromTexture);
 #endif
 #ifdef SHADOWS
     sun *= visible;

@@ -34,26 +34,21 @@ SHARED vec2 sunPlaneGradient(vec3 n, vec2 shear)
     return size > steepest ? gradient * (steepest / size) : gradient;
 }
 
-// Weight of a photon for the texel at an offset from it, in texels: the hat, whose values at the four texels around a
-// photon sum to 1, so that spreading it keeps its energy.
-SHARED float photonWeight(vec2 offset)
+// Texture coordinates in a map that covers a rectangle of the plane, 0 to 1 inside it.
+// rect: centre x, z and half extent x, z, m.
+SHARED vec2 sunMapUv(vec4 rect, vec2 plane)
 {
-    return max(1.0 - abs(offset.x), 0.0) * max(1.0 - abs(offset.y), 0.0);
+    return (plane - vec2(rect.x, rect.y)) / vec2(rect.z, rect.w) * 0.5 + 0.5;
 }
 
-// How much of a photon's light is taken at the level of a texel: the area of a photon's cell over that of a texel.
-SHARED float photonFraction(float cellEdge, float texelEdge)
+// The same for the difference of two points.
+SHARED vec2 sunMapUvDifference(vec4 rect, vec2 difference)
 {
-    return (cellEdge / texelEdge) * (cellEdge / texelEdge);
+    return difference * (0.5 / vec2(rect.z, rect.w));
 }
 
-// Weight of a cell in the filter of the caustics texture: binomial, 1-2-1 (radius 1) or 1-4-6-4-1 (radius 2) in each
-// direction; the weights of a row sum to 1, so that the filter keeps the energy.
-SHARED float causticsFilterWeight(int radius, int offset)
+// The point of the plane at texture coordinates: sunMapUv's inverse.
+SHARED vec2 sunMapPlane(vec4 rect, vec2 uv)
 {
-    int k = offset < 0 ? -offset : offset;
-    if (k > radius) return 0.0;
-    if (radius <= 0) return 1.0;
-    if (radius == 1) return k == 0 ? 0.5 : 0.25;
-    return k == 0 ? 0.375 : (k == 1 ? 0.25 : 0.0625);
+    return vec2(rect.x, rect.y) + (2.0 * uv - 1.0) * vec2(rect.z, rect.w);
 }

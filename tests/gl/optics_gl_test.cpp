@@ -65,7 +65,7 @@ protected:
         folder_.write("full.vert", test::fullscreenVertex);
         for (const char* file :
              {"blocks", "refraction", "fresnel_table", "depth", "trigonometry", "waves", "normal_map", "intersection",
-              "reflection", "lighting", "tonemap", "anaglyph", "sunlight", "water_grid"}) {
+              "reflection", "lighting", "tonemap", "anaglyph", "sunlight", "caustics", "water_grid"}) {
             const std::string name = std::string("shared/") + file + ".glsl";
             folder_.write(name, readFile(projectRoot() / "shaders" / name));
             includes_ += "#include \"" + name + "\"\n";
@@ -276,12 +276,53 @@ TEST_F(OpticsGl, Sunlight)
         {"sunPlaneGradient", ("vec4(sunPlaneGradient(b.xyz, sunShear(" + toSun + ")), 0.0, 0.0)").c_str(),
          [raised](const Inputs& i) { return vec4(sunPlaneGradient(xyz(i.b), sunShear(raised(i.a))), 0.0f, 0.0f); },
          1e-3f}, // the divisor passes through zero: it magnifies rounding up to the limit
-        {"photonWeight", "vec4(photonWeight(1.5 * a.xz), photonFraction(a.w + 0.1, b.w + 0.1), 0.0, 0.0)",
+        {"sunMapUv",
+         "vec4(sunMapUv(vec4(1.0, 2.0, 8.0, 5.0), 9.0 * a.xz), sunMapUvDifference(vec4(1.0, 2.0, 8.0, 5.0), b.xz))",
          [](const Inputs& i) {
-             return vec4(photonWeight(1.5f * vec2(i.a.x, i.a.z)), photonFraction(i.a.w + 0.1f, i.b.w + 0.1f), 0.0f,
-                         0.0f);
+             const vec4 rect(1.0f, 2.0f, 8.0f, 5.0f);
+             return vec4(sunMapUv(rect, 9.0f * vec2(i.a.x, i.a.z)), sunMapUvDifference(rect, vec2(i.b.x, i.b.z)));
+         }},
+        {"sunMapPlane", "vec4(sunMapPlane(vec4(1.0, 2.0, 8.0, 5.0), a.xz), 0.0, 0.0)",
+         [](const Inputs& i) {
+             return vec4(sunMapPlane(vec4(1.0f, 2.0f, 8.0f, 5.0f), vec2(i.a.x, i.a.z)), 0.0f, 0.0f);
+         }},
+    });
+}
+
+TEST_F(OpticsGl, Caustics)
+{
+    using namespace optics;
+    const auto xz = [](const vec4& v) { return vec2(v.x, v.z); };
+    check({
+        {"photonWeight",
+         "vec4(photonWeight(1.5 * a.xz), photonFraction(a.w + 0.1, b.w + 0.1), triangleArea(a.xz, b.xz),"
+         " isAddedAsPoint(triangleArea(a.xz, b.xz)) ? 1.0 : 0.0)",
+         [&](const Inputs& i) {
+             const float area = triangleArea(xz(i.a), xz(i.b));
+             return vec4(photonWeight(1.5f * xz(i.a)), photonFraction(i.a.w + 0.1f, i.b.w + 0.1f), area,
+                         isAddedAsPoint(area) ? 1.0f : 0.0f);
          },
          1e-5f},
+        {"photonEntryHeight",
+         "vec4(photonEntryHeight(a.w, 0.5 * b.xz, 2.0 * c.xz), photonFlux(a.y + 0.01, 1.33, 0.1, 0.2), 0.0, 0.0)",
+         [&](const Inputs& i) {
+             return vec4(photonEntryHeight(i.a.w, 0.5f * xz(i.b), 2.0f * xz(i.c)),
+                         photonFlux(i.a.y + 0.01f, 1.33f, 0.1f, 0.2f), 0.0f, 0.0f);
+         },
+         1e-5f},
+        {"sunRayAtHeight", "vec4(sunRayAtHeight(5.0 * a.xyz, 9.0 * b.w, 2.0 * c.xz), 0.0)",
+         [&](const Inputs& i) { return wide(sunRayAtHeight(5.0f * xyz(i.a), 9.0f * i.b.w, 2.0f * xz(i.c))); }},
+        {"photonLight", "vec4(photonLight(a.w, 20.0 * b.w, c.xyz * c.xyz), 0.0)",
+         [](const Inputs& i) { return wide(photonLight(i.a.w, 20.0f * i.b.w, xyz(i.c) * xyz(i.c))); }},
+        {"causticsFade", "vec4(causticsFade(9.0 * a.xz, vec4(1.0, 0.0, 8.0, 9.0), vec4(0.0, 1.0, 7.0, 8.0), 2.0, b.w))",
+         [&](const Inputs& i) {
+             return vec4(
+                 causticsFade(9.0f * xz(i.a), vec4(1.0f, 0.0f, 8.0f, 9.0f), vec4(0.0f, 1.0f, 7.0f, 8.0f), 2.0f, i.b.w));
+         }},
+        {"causticsIrradiance", "vec4(causticsIrradiance(a.xyz, vec3(90.0), b.w, 0.5 + 0.5 * c.w), 0.0)",
+         [](const Inputs& i) { return wide(causticsIrradiance(xyz(i.a), vec3(90.0f), i.b.w, 0.5f + 0.5f * i.c.w)); }},
+        {"causticsFilterWeight", "vec4(causticsFilterWeight(2, int(7.0 * a.w) - 3) + b.w)",
+         [](const Inputs& i) { return vec4(causticsFilterWeight(2, static_cast<int>(7.0f * i.a.w) - 3) + i.b.w); }},
     });
 }
 

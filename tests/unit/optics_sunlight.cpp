@@ -1,4 +1,4 @@
-// The sun's coordinates on the water's level, and the weights that spread photons without loss.
+// The sun's coordinates on the water level, and those of the maps that cover a part of it.
 #include "optics/optics.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@ namespace tarn {
 
 using glm::dvec2;
 using glm::dvec3;
+using glm::dvec4;
 
 // Moving a point along the light does not move its place on the plane; on the plane itself it is x and z.
 TEST(OpticsSunlight, APlaceIsKeptAlongTheLight)
@@ -45,29 +46,21 @@ TEST(OpticsSunlight, TheGradientIsThatOfThePlane)
     EXPECT_LE(glm::length(gradient), 8.0 + 1.0e-9);
 }
 
-TEST(OpticsSunlight, APhotonsWeightsSumToOne)
+TEST(OpticsSunlight, AMapsCoordinatesGoFromEdgeToEdge)
 {
-    for (double x = 0.0; x < 1.0; x += 0.09) {
-        for (double y = 0.0; y < 1.0; y += 0.11) {
-            double sum = 0.0;
-            for (int j = -2; j <= 2; ++j)
-                for (int i = -2; i <= 2; ++i) sum += optics64::photonWeight(dvec2(i + x, j + y));
-            EXPECT_NEAR(sum, 1.0, 1.0e-14);
-        }
-    }
-    EXPECT_DOUBLE_EQ(optics64::photonFraction(0.5, 1.0), 0.25);
-}
-
-TEST(OpticsSunlight, TheFiltersWeightsSumToOne)
-{
-    for (int radius = 0; radius <= 2; ++radius) {
-        double sum = 0.0;
-        for (int i = -3; i <= 3; ++i) {
-            sum += optics64::causticsFilterWeight(radius, i);
-            EXPECT_EQ(optics64::causticsFilterWeight(radius, i), optics64::causticsFilterWeight(radius, -i));
-        }
-        EXPECT_DOUBLE_EQ(sum, 1.0);
-    }
+    const dvec4 rect(3.0, -2.0, 8.0, 5.0);
+    const auto expectUv = [&](const dvec2& plane, const dvec2& uv) {
+        EXPECT_NEAR(glm::distance(optics64::sunMapUv(rect, plane), uv), 0.0, 1.0e-15);
+        EXPECT_NEAR(glm::distance(optics64::sunMapPlane(rect, uv), plane), 0.0, 1.0e-14);
+    };
+    expectUv({3.0, -2.0}, {0.5, 0.5});
+    expectUv({-5.0, -7.0}, {0.0, 0.0});
+    expectUv({11.0, 3.0}, {1.0, 1.0});
+    expectUv({7.0, 8.0}, {0.75, 1.5});
+    const dvec2 a(1.0, 2.0), b(-4.0, 0.5);
+    EXPECT_NEAR(glm::distance(optics64::sunMapUvDifference(rect, a - b),
+                              optics64::sunMapUv(rect, a) - optics64::sunMapUv(rect, b)),
+                0.0, 1.0e-15);
 }
 
 } // namespace tarn

@@ -73,7 +73,7 @@ std::vector<float> gatherPhotons(const std::vector<float>& photons, int resoluti
         if (!(position.x >= 0.0f && position.y >= 0.0f && position.x <= static_cast<float>(resolution) &&
               position.y <= static_cast<float>(resolution)))
             continue;
-        const vec3 light = photons[i + 2] * optics::beerLambert(absorption, photons[i + 3]);
+        const vec3 light = optics::photonLight(photons[i + 2], photons[i + 3], absorption);
         const ivec2 corner(static_cast<int>(std::floor(position.x - 0.5f)),
                            static_cast<int>(std::floor(position.y - 0.5f)));
         for (int y = corner.y; y <= corner.y + 1; ++y) {
