@@ -12,12 +12,12 @@ uniform mat4 reflectionViewFromWorld;
 uniform mat4 reflectionClipFromWorld;
 uniform float reflectionDistance; // c of eq. 6
 #endif
-#if DEBUG_VIEW == 7 || defined(ITERATIVE_REFLECTION)
+#if DEBUG_VIEW == DEBUG_VIEW_REFLECTION_HIT || defined(ITERATIVE_REFLECTION)
 uniform sampler2D reflectionDepth;
 uniform mat4 reflectionClipFromView;
 uniform vec2 reflectionNearFar;
 #endif
-#if DEBUG_VIEW == 7
+#if DEBUG_VIEW == DEBUG_VIEW_REFLECTION_HIT
 uniform mat4 worldFromReflectionView;
 #endif
 
@@ -83,7 +83,7 @@ bool isMirroredOnMap(vec3 reflected, float miss, out AboveWaterHit found)
 }
 #endif
 
-#if DEBUG_VIEW == 7
+#if DEBUG_VIEW == DEBUG_VIEW_REFLECTION_HIT
 #ifdef REFLECTION
 vec4 shownAt(vec2 uv)
 {

@@ -5,7 +5,12 @@
 // Where the surface cuts the near plane, that holds for the pixels under it.
 // IN_AIR, IN_WATER: all of what is drawn is on that side of the level, and pays for that side's light alone.
 // FOR_MAP: what a map of the scene from above keeps: all but the sun's light under water, which is looked up later.
+// DEBUG_VIEW: final, or the normals.
 #include "shared/blocks.glsl"
+#include "shared/debug_views.glsl"
+#ifndef DEBUG_VIEW
+#define DEBUG_VIEW DEBUG_VIEW_FINAL
+#endif
 #include "shared/refraction.glsl"
 #include "shared/lighting.glsl"
 #if defined(SHADOWS) || defined(CAUSTICS)
@@ -152,9 +157,11 @@ void main()
 
     vec3 n = shadingNormal();
     vec3 toEye = normalize(eye - positionW);
-#ifdef DEBUG_NORMALS
+#if DEBUG_VIEW == DEBUG_VIEW_NORMALS
     fragment = vec4(n, 1.0);
     return;
+#elif DEBUG_VIEW != DEBUG_VIEW_FINAL
+#error scene.frag does not write this debug view
 #endif
 
     float depth = waterLevel - positionW.y;

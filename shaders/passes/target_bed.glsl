@@ -58,7 +58,7 @@ FlatLook lookFlat(vec2 texel)
 }
 #endif
 
-#if DEBUG_VIEW == 6
+#if DEBUG_VIEW == DEBUG_VIEW_POSITION_A
 // The point whose picture is taken for W's, world: what the target shows at W's pixel. Alpha: 1, or 1/2 where that is no
 // valid sample: W is behind the camera or beside its target, or the target is empty there.
 vec4 shownFor(vec3 hitW)

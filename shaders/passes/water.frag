@@ -1,6 +1,7 @@
 // The water's surface: finds what the refracted and the reflected ray meet, absorbs, and mixes by Fresnel.
 // Mihálik 2008, chapter 7. Radiance through the surface keeps the factor 1/n² (seen from above) or n² (from below).
 #include "shared/blocks.glsl"
+#include "shared/debug_views.glsl"
 #include "shared/refraction.glsl"
 #include "shared/trigonometry.glsl"
 #include "shared/waves.glsl"
@@ -233,21 +234,21 @@ void main()
 #endif
 #endif
 
-#if DEBUG_VIEW == 1
+#if DEBUG_VIEW == DEBUG_VIEW_FRESNEL
     fragment = vec4(vec3(fresnel), 1.0);
-#elif DEBUG_VIEW == 2
+#elif DEBUG_VIEW == DEBUG_VIEW_PATH_LENGTH
     fragment = vec4(vec3(path), 1.0);
-#elif DEBUG_VIEW == 3
+#elif DEBUG_VIEW == DEBUG_VIEW_POSITION_W
     fragment = vec4(hit, 1.0);
-#elif DEBUG_VIEW == 4
+#elif DEBUG_VIEW == DEBUG_VIEW_NORMALS
 #ifdef UNDERWATER
     fragment = vec4(surface.normal, 1.0);
 #else
     fragment = vec4(surface.meanNormal, 1.0);
 #endif
-#elif DEBUG_VIEW == 5
+#elif DEBUG_VIEW == DEBUG_VIEW_POSITION_U
     fragment = vec4(surfaceW, 1.0);
-#elif DEBUG_VIEW == 6
+#elif DEBUG_VIEW == DEBUG_VIEW_POSITION_A
     fragment = vec4(hit, 0.5);
 #ifdef RAYCAST
     fragment = vec4(hit.x, bedHeight(hit.xz), hit.z, bed.isFound ? 1.0 : 0.5); // the picture is taken straight from above
@@ -260,7 +261,7 @@ void main()
 #ifdef UNDERWATER
     if (fraction < 0.5) fragment.a = 0.5; // the sky was taken
 #endif
-#elif DEBUG_VIEW == 7
+#elif DEBUG_VIEW == DEBUG_VIEW_REFLECTION_HIT
 #ifdef NO_REFLECTION
     fragment = vec4(0.0); // nothing
 #elif defined(UNDERWATER)
@@ -268,7 +269,9 @@ void main()
 #else
     fragment = shownMirrored(reflectedFrom(surface.meanNormal, toEye));
 #endif
-#else
+#elif DEBUG_VIEW == DEBUG_VIEW_FINAL
     fragment = vec4(radiance, 1.0);
+#else
+#error water.frag does not write this debug view
 #endif
 }

@@ -1,5 +1,7 @@
 #include "app/options_markdown.h"
 
+#include "render/debug_view.h"
+
 #include <fmt/format.h>
 
 #include <map>
@@ -47,6 +49,17 @@ std::string rangeCell(const FieldRow& row)
     return code(replaced(row.range, " | ", "`, `"));
 }
 
+std::string debugViewsSection()
+{
+    std::string section =
+        "\n## Debug views\n\nWhat `tarn render --view NAME`, and V in the viewer, show in place of the "
+        "picture.\n\n| view | written by | unit | meaning |\n|---|---|---|---|\n";
+    for (const DebugViewInfo& view : debugViews)
+        section += fmt::format("| {} | {} | {} | {} |\n", code(view.name), passesOf(view.writer), cell(view.unit),
+                               cell(view.doc));
+    return section;
+}
+
 } // namespace
 
 std::string optionsPage(const std::vector<FieldRow>& rows, const FieldTree& tree)
@@ -72,7 +85,7 @@ std::string optionsPage(const std::vector<FieldRow>& rows, const FieldTree& tree
         page += fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(row.key), row.type, code(row.value),
                             rangeCell(row), cell(row.unit), cell(row.doc));
     }
-    return page;
+    return page + debugViewsSection();
 }
 
 } // namespace tarn

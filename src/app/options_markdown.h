@@ -8,8 +8,8 @@
 
 namespace tarn {
 
-/// One heading and table for each group. @param rows those of a group together   @param tree that they are
-/// from
+/// One heading and table for each group, and one for the debug views. @param rows those of a group together   @param
+/// tree that they are from
 std::string optionsPage(const std::vector<FieldRow>& rows, const FieldTree& tree);
 
 } // namespace tarn

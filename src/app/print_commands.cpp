@@ -7,6 +7,7 @@
 #include "app/scene_setup.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "render/debug_view.h"
 #include "render/frame_light.h"
 #include "render/gather_visibility.h"
 #include "scene/sky.h"
@@ -80,6 +81,9 @@ void run(const OptionsCommand& command)
     fmt::print("{:<31}{:<8}{:<12}{:<28}{:<10}{}\n", "key", "type", "default", "range", "unit", "what it is");
     for (const FieldRow& row : rows)
         fmt::print("{:<31}{:<8}{:<12}{:<28}{:<10}{}\n", row.key, row.type, row.value, row.range, row.unit, row.doc);
+    fmt::print("\n{:<31}{:<20}{:<10}{}\n", "debug view (--view)", "written by", "unit", "what it is");
+    for (const DebugViewInfo& view : debugViews)
+        fmt::print("{:<31}{:<20}{:<10}{}\n", view.name, passesOf(view.writer), view.unit, view.doc);
 }
 
 void run(const ExplainCommand& command)

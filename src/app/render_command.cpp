@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/log.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <set>
@@ -209,7 +210,9 @@ MakeCommand defineRender(Flags& flags)
     c.view.size = {1024, 768};
     addSceneFlags(flags, c.scene);
     addViewFlags(flags, c.view);
-    flags.value("--view", "NAME", "Show an intermediate picture: fresnel, path-length, …",
+    const std::string views = fmt::format("Show an intermediate picture: {}",
+                                          fmt::join(debugViewNames.begin() + 1, debugViewNames.end(), ", "));
+    flags.value("--view", "NAME", views.c_str(),
                 [&c](const std::string& text, const std::string& flag) { c.debugView = parseDebugView(text, flag); });
     flags.text("--out", "FILE", "Picture: .png tone-mapped, .exr linear; name_%04d.png for a sequence", c.out);
     flags.count("--frames", "Pictures in the sequence", c.frames, 1, 1000000);

@@ -1,4 +1,5 @@
-// The intermediate pictures of a frame that can be shown in place of the final one.
+// The intermediate pictures of a frame that can be shown in place of the final one: shaders/shared/debug_views.glsl as
+// C++.
 #pragma once
 
 #include <array>
@@ -7,43 +8,81 @@
 
 namespace tarn {
 
+/// What each shows stands in the table.
 enum class DebugView {
-    final,
-    sceneDepth,       ///< metres from the eye along its axis
-    refractionColour, ///< the refraction target, as rendered
-    refractionDepth,  ///< metres along the refraction camera's axis
-    reflection,       ///< the reflection target
-    fresnel,          ///< F, 0 to 1
-    pathLength,       ///< |A - U|, metres of water
-    positionW,        ///< W, world space
-    normals,          ///< of scene and water, world space
-    caustics,         ///< the caustics texture: irradiance relative to the sun's above the water
-    positionU,        ///< U, the water's surface, world space
-    positionA,        ///< the point whose picture is taken for W's, world space; alpha 1/2: W has no valid sample
-    reflectionHit,    ///< the point that the reflection shows, world space; alpha 2: the direction of what it shows
+#define DEBUG_VIEW_ROW(view, code, name, writer, display, unit, doc) view = code,
+#include "shared/debug_views.glsl"
+#undef DEBUG_VIEW_ROW
 };
-inline constexpr int debugViewCount = 13;
 
-/// As on the command line: "final", "scene-depth", …, in the order of the enumeration.
-inline constexpr std::array<const char*, debugViewCount> debugViewNames = {"final",
-                                                                           "scene-depth",
-                                                                           "refraction",
-                                                                           "refraction-depth",
-                                                                           "reflection",
-                                                                           "fresnel",
-                                                                           "path-length",
-                                                                           "w-position",
-                                                                           "normals",
-                                                                           "caustics",
-                                                                           "surface-position",
-                                                                           "a-position",
-                                                                           "reflection-position"};
+/// The passes that write a view's values.
+enum class DebugWriter { all, scene, water, sceneAndWater, refraction, reflection, caustics };
+
+struct DebugViewInfo {
+    DebugView view;
+    const char* name; ///< as on the command line
+    DebugWriter writer;
+    int display; ///< DISPLAY of present.frag
+    const char* unit;
+    const char* doc;
+};
+
+/// In the order of the enumeration.
+inline constexpr std::array debugViews{
+#define DEBUG_VIEW_ROW(view, code, name, writer, display, unit, doc)                                                   \
+    DebugViewInfo{DebugView::view, #name, DebugWriter::writer, display, #unit, #doc},
+#include "shared/debug_views.glsl"
+#undef DEBUG_VIEW_ROW
+};
+inline constexpr int debugViewCount = static_cast<int>(debugViews.size());
+
+constexpr const DebugViewInfo& infoOf(DebugView view) { return debugViews[static_cast<std::size_t>(view)]; }
+
+static_assert(
+    [] {
+        for (std::size_t i = 0; i < debugViews.size(); ++i)
+            if (debugViews[i].view != static_cast<DebugView>(i)) return false;
+        return true;
+    }(),
+    "the rows of debug_views.glsl are not in the order of their codes");
+
+/// "final", "scene-depth", …, in the order of the enumeration.
+inline constexpr auto debugViewNames = [] {
+    std::array<const char*, debugViews.size()> names{};
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = debugViews[i].name;
+    return names;
+}();
 
 inline std::optional<DebugView> debugViewFromName(std::string_view name)
 {
-    for (int i = 0; i < debugViewCount; ++i)
-        if (debugViewNames[static_cast<std::size_t>(i)] == name) return static_cast<DebugView>(i);
+    for (const DebugViewInfo& info : debugViews)
+        if (info.name == name) return info.view;
     return std::nullopt;
+}
+
+/// The scene around the water stays empty in these.
+constexpr bool isWaterView(DebugView view) { return infoOf(view).writer == DebugWriter::water; }
+
+/// What the water's program is to write: the picture, where another pass writes the view.
+constexpr DebugView writtenByWater(DebugView view)
+{
+    const DebugWriter writer = infoOf(view).writer;
+    return writer == DebugWriter::water || writer == DebugWriter::sceneAndWater ? view : DebugView::final;
+}
+
+/// "scene, water": the names of the passes, as profiler and `tarn explain` have them.
+constexpr const char* passesOf(DebugWriter writer)
+{
+    switch (writer) {
+    case DebugWriter::all: return "all";
+    case DebugWriter::scene: return "scene";
+    case DebugWriter::water: return "water";
+    case DebugWriter::sceneAndWater: return "scene, water";
+    case DebugWriter::refraction: return "refraction";
+    case DebugWriter::reflection: return "reflection";
+    case DebugWriter::caustics: return "caustics";
+    }
+    return "";
 }
 
 } // namespace tarn

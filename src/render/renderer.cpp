@@ -46,20 +46,6 @@ template <typename Block> gl::UniformBuffer<Block> uniformBuffer(BlockIndex inde
 /// The anisotropy of the scene's textures: the option's, where the driver can bear it.
 float anisotropyFor(const FrameOptions& options) { return gl::avoidsAnisotropy() ? 1.0f : options.anisotropy; }
 
-/// Debug views that the water pass writes; the scene around them stays empty.
-bool isWaterView(DebugView view)
-{
-    switch (view) {
-    case DebugView::fresnel:
-    case DebugView::pathLength:
-    case DebugView::positionU:
-    case DebugView::positionW:
-    case DebugView::positionA:
-    case DebugView::reflectionHit: return true;
-    default: return false;
-    }
-}
-
 } // namespace
 
 std::unique_ptr<gl::ShaderLibrary> makeShaderLibrary()
@@ -494,7 +480,14 @@ const gl::Target& Renderer::State::selectShown(const EyeFrame& eye)
     case DebugView::caustics:
         return eye.plan[PassId::caustics].wanted ? debugCopy.colour(sun.caustics().colour(), size)
                                                  : debugCopy.nothing(size);
-    default: break;
+    case DebugView::final:
+    case DebugView::fresnel:
+    case DebugView::pathLength:
+    case DebugView::positionW:
+    case DebugView::normals:
+    case DebugView::positionU:
+    case DebugView::positionA:
+    case DebugView::reflectionHit: break; // what scene and water have drawn
     }
     // What was drawn smaller is upscaled as it is shown, after the tone curve.
     const bool isSmaller = eye.size.x < size.x || eye.size.y < size.y;

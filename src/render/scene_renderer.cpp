@@ -1,6 +1,7 @@
 #include "render/scene_renderer.h"
 
 #include "gl/state.h"
+#include "render/debug_view.h"
 #include "render/unrolled.h"
 
 #include <array>
@@ -39,27 +40,14 @@ struct FeatureName {
     Feature feature;
     const char* define;
 };
-constexpr FeatureName featureNames[] = {{diffuseMap, "DIFFUSE_MAP"},
-                                        {normalMap, "NORMAL_MAP"},
-                                        {emissiveMap, "EMISSIVE_MAP"},
-                                        {alphaMap, "ALPHA_MAP"},
-                                        {alphaTest, "ALPHA_TEST"},
-                                        {turnNormal, "TURN_NORMAL"},
-                                        {specular, "SPECULAR"},
-                                        {underwaterEye, "UNDERWATER"},
-                                        {alphaToCoverage, "ALPHA_TO_COVERAGE"},
-                                        {debugNormals, "DEBUG_NORMALS"},
-                                        {sunDisc, "SUN_DISC"},
-                                        {transmission, "TRANSMISSION"},
-                                        {shadows, "SHADOWS"},
-                                        {caustics, "CAUSTICS"},
-                                        {skyWaterline, "WATERLINE"},
-                                        {inAir, "IN_AIR"},
-                                        {inWater, "IN_WATER"},
-                                        {flatWater, "FLAT_WATER"},
-                                        {dithered, "DITHERED"},
-                                        {forMap, "FOR_MAP"},
-                                        {countsFaces, "COUNT_FACES"}};
+constexpr FeatureName featureNames[] = {
+    {diffuseMap, "DIFFUSE_MAP"}, {normalMap, "NORMAL_MAP"},      {emissiveMap, "EMISSIVE_MAP"},
+    {alphaMap, "ALPHA_MAP"},     {alphaTest, "ALPHA_TEST"},      {turnNormal, "TURN_NORMAL"},
+    {specular, "SPECULAR"},      {underwaterEye, "UNDERWATER"},  {alphaToCoverage, "ALPHA_TO_COVERAGE"},
+    {sunDisc, "SUN_DISC"},       {transmission, "TRANSMISSION"}, {shadows, "SHADOWS"},
+    {caustics, "CAUSTICS"},      {skyWaterline, "WATERLINE"},    {inAir, "IN_AIR"},
+    {inWater, "IN_WATER"},       {flatWater, "FLAT_WATER"},      {dithered, "DITHERED"},
+    {forMap, "FOR_MAP"},         {countsFaces, "COUNT_FACES"}};
 
 /// What decides whether a surface is there at all.
 constexpr unsigned shapeFeatures = diffuseMap | alphaMap | alphaTest | dithered | countsFaces | flatWater;
@@ -137,6 +125,8 @@ gl::Program& SceneRenderer::sceneProgram(unsigned bits, const SceneVariant& vari
     auto& program = scenePrograms_[{bits, taps}];
     if (!program) {
         gl::Defines defines = definesOf(bits);
+        if (bits & debugNormals)
+            defines.emplace_back("DEBUG_VIEW", std::to_string(static_cast<int>(DebugView::normals)));
         if (taps > 0) defines.emplace_back("SHADOW_TAPS", std::to_string(taps));
         const bool shapeOnly = (bits & depthOnly) != 0;
         if (!shapeOnly) defines.push_back(unrolled("EACH_LIGHT", "LIGHT", lightCount_, lightCount_));

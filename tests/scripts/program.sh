@@ -477,6 +477,7 @@ test_compare_folders_bad_input() {
 test_options() {
     call 0 options
     grep -q 'refraction.steps' "$work/stdout" || fail "options does not list refraction.steps"
+    grep -Eq '^path-length +water +m +' "$work/stdout" || fail "options does not list the debug views"
     call 0 options --json
     [[ $(head -c 1 "$work/stdout") =~ [[{] ]] || fail "options --json prints no JSON"
     local count
@@ -484,7 +485,10 @@ test_options() {
     call 0 options --markdown
     [[ $(grep -c '^| `[a-z]*\.[a-z_]*` | ' "$work/stdout") == "$count" ]] || fail "options --markdown has not all $count options"
     # A cell more or less would break its table.
-    ! grep '^|' "$work/stdout" | sed 's/\\|//g' | grep -v '^|\([^|]*|\)\{6\}$' || fail "a row has not six cells"
+    ! sed '/^## Debug views/,$d' "$work/stdout" | grep '^|' | sed 's/\\|//g' | grep -v '^|\([^|]*|\)\{6\}$' ||
+        fail "a row has not six cells"
+    ! sed '1,/^## Debug views/d' "$work/stdout" | grep '^|' | sed 's/\\|//g' | grep -v '^|\([^|]*|\)\{4\}$' ||
+        fail "a debug view has not four cells"
     refuse 2 'markdown' options --markdown --json
 }
 

@@ -7,21 +7,6 @@ namespace tarn {
 
 namespace {
 
-/// The number that water.frag's DEBUG_VIEW knows a view by; 0 is the picture itself.
-int debugCode(DebugView view)
-{
-    switch (view) {
-    case DebugView::fresnel: return 1;
-    case DebugView::pathLength: return 2;
-    case DebugView::positionW: return 3;
-    case DebugView::normals: return 4;
-    case DebugView::positionU: return 5;
-    case DebugView::positionA: return 6;
-    case DebugView::reflectionHit: return 7;
-    default: return 0;
-    }
-}
-
 /// Whether the mirrored point is found in the mirrored picture's depth.
 bool searchesReflection(const Options& options, const WaterPass::Inputs& inputs)
 {
@@ -84,7 +69,8 @@ bool readsFresnelTable(const Options& options, const WaterPass::Inputs& inputs)
 
 gl::Program& WaterPass::program(const Options& options, const Inputs& inputs)
 {
-    gl::Defines defines{{"DEBUG_VIEW", std::to_string(debugCode(inputs.view))}, eachWave(inputs.waveCount)};
+    gl::Defines defines{{"DEBUG_VIEW", std::to_string(static_cast<int>(writtenByWater(inputs.view)))},
+                        eachWave(inputs.waveCount)};
     if (inputs.underwater) defines.emplace_back("UNDERWATER", "1");
     if (inputs.underwater && options.underwater.refraction == UnderwaterOptions::Refraction::paper)
         defines.emplace_back("PAPER", "1");
