@@ -1,21 +1,20 @@
-// Follows a ray to what stands over the water, in the map of it. Needs shared/height_field.glsl
-// and height_pyramid.glsl; marchUnit: of the steps, m.
+// Intersects a ray with the map of what stands over the water. Needs shared/height_field.glsl, height_pyramid.glsl and the
+// uniform marchUnit, m, that Lipp's steps are counted in.
 //
-// Seen straight from above and from below, what stands at a place is one piece, from its underside to its top: a bank is
-// solid down to the water, a deck is not. What is between two pieces, one over the other, is taken for solid.
-// PYRAMID: through the pyramid; else as Lipp does, who knows what is seen from below alone and takes it for solid down to
-// the water.
+// The map is drawn from straight above and from straight below. At each point it holds one piece, from its underside to its
+// top: a bank is solid down to the water, a deck is not. The gap between two pieces, one over the other, counts as solid.
+// PYRAMID: through the pyramid; else as Lipp does, whose map is drawn from below alone and counts as solid down to the water.
 
-uniform sampler2D aboveWaterHeights; // r: underside, g: top, b: what is seen from below, m; level n: least and largest of those
+uniform sampler2D aboveWaterHeights; // r: underside, g: top, b: height drawn from below, m; mip level n: least and largest of those
 uniform vec4 aboveWaterRect;         // what it covers: centre x, z and half extent x, z, m
 uniform float aboveWaterHighest;     // over all of it, m
 
-const float aboveWaterEmpty = 1.0e4; // an underside over all: nothing stands there. Its negative: there is none
+const float aboveWaterEmpty = 1.0e4; // as an underside: nothing stands there. Its negative: solid down to the water
 
 struct AboveWaterHit {
     vec3 point;    // world
     float isFound; // 1 or 0
-    float isUnder; // 1 where it is the underside that is met
+    float isUnder; // 1 if the underside was hit
 };
 
 vec2 aboveWaterTexel(vec2 xz) { return mapTexel(xz, aboveWaterRect, textureSize(aboveWaterHeights, 0)); }
@@ -40,7 +39,7 @@ float cellCrossing(ivec2 cell, vec3 from, vec3 along, float within, out float is
     isUnder = 0.0;
     if (under.x > 0.5 * aboveWaterEmpty) return -1.0;
     float overUnder = from.z - patchHeight(under, from.xy);
-    float t = patchCrossing(tops, from, along, within); // 0 where it is under the top already
+    float t = patchCrossing(tops, from, along, within); // 0 if the ray is under the top already
     if (t >= 0.0) {
         vec3 met = from + t * along;
         if (met.z >= patchHeight(under, met.xy)) return t;
@@ -56,29 +55,29 @@ float cellCrossing(ivec2 cell, vec3 from, vec3 along, float within, out float is
 
 AboveWaterHit findAboveWater(vec3 from, vec3 direction)
 {
-    const int firstLevel = 4; // what is mirrored stands farther off than the bed
+    const int firstMipLevel = 4; // mirrored things are farther away than the bed
     PyramidRay ray = pyramidRay(from, direction, aboveWaterRect, textureSize(aboveWaterHeights, 0));
     float end = (aboveWaterHighest - from.y) / max(direction.y, 1.0e-6);
     float t = 0.0;
-    int level = firstLevel;
-    for (int i = 0; i < mostLooks && t < end; ++i) {
-        PyramidBlock block = pyramidBlock(ray, t, level, end);
+    int mipLevel = firstMipLevel;
+    for (int i = 0; i < maxPyramidSteps && t < end; ++i) {
+        PyramidBlock block = pyramidBlock(ray, t, mipLevel, end);
         if (!block.isOnMap) break;
-        if (level == 0) {
+        if (mipLevel == 0) {
             float isUnder;
             vec3 inCell = vec3(block.here.xy - block.corner, block.here.z);
             float met = cellCrossing(ivec2(block.corner), inCell, ray.along, block.within, isUnder);
             if (met >= 0.0) return AboveWaterHit(from + (t + met) * direction, 1.0, isUnder);
             t += block.within + ray.past;
-            level = 1;
+            mipLevel = 1;
             continue;
         }
-        vec2 range = texelFetch(aboveWaterHeights, max(ivec2(block.corner), ivec2(0)), level).rg;
+        vec2 range = texelFetch(aboveWaterHeights, max(ivec2(block.corner), ivec2(0)), mipLevel).rg;
         if (block.here.z > range.y || block.here.z + block.within * ray.along.z < range.x) {
             t += block.within + ray.past;
-            level = min(level + 1, ray.top);
+            mipLevel = min(mipLevel + 1, ray.top);
         } else {
-            --level;
+            --mipLevel;
         }
     }
     return AboveWaterHit(from + t * direction, 0.0, 0.0);

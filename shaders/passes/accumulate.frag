@@ -1,4 +1,4 @@
-// The mean of the frames so far, of which the newest counts for its part (render/passes/accumulate.h).
+// The mean of the frames so far; `part` is the weight of the newest (render/passes/accumulate.h).
 uniform sampler2D newest;
 uniform sampler2D mean;
 uniform float part;

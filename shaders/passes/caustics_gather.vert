@@ -1,4 +1,4 @@
-// Photons become light in the caustics texture (Mihálik 2008, section 8.1).
+// Photons become light in the caustics map (Mihálik 2008, section 8.1).
 //
 // Points (neither define): each photon's vertex comes from a buffer. FETCH: the same, read from the photon texture.
 // MESH: photons are the corners of triangles that carry the light between them.
@@ -8,11 +8,11 @@
 
 #if defined(FETCH) || defined(MESH)
 uniform sampler2D photons;
-uniform int photonsPerSide; // photons along an edge
+uniform int photonsPerSide; // the lattice is square
 #else
 layout(location = 0) in vec4 photonV;
 #endif
-uniform float textureResolution; // texels along an edge
+uniform float textureResolution; // texels per side of the map
 
 flat out vec3 light;
 flat out vec2 centre; // of a point, in texels
@@ -36,7 +36,7 @@ void main()
     for (int i = 0; i < 3; ++i) {
         vec4 photon = texelFetch(photons, first + offset[i], 0);
         corner[i] = photon.xy * textureResolution;
-        light += lightOf(photon) / 6.0; // half a photon's cell lies between three of them
+        light += lightOf(photon) / 6.0; // the triangle is half a photon's cell
     }
     float area = triangleArea(corner[1] - corner[0], corner[2] - corner[0]);
     centre = (corner[0] + corner[1] + corner[2]) / 3.0;

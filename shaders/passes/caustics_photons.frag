@@ -1,14 +1,14 @@
-// The sun's photons, one a texel: where each ends on the bed, and what it brings (Mihálik 2008, sections 8.1 and 9.2).
+// The sun's photons, one a texel: the hit on the bed, and the flux (Mihálik 2008, sections 8.1 and 9.2).
 //
-// A texel is a ray of the sun that crosses the plane of the water's level at a point of a regular lattice, so that all
-// rays bring the same flux. R, G: the hit in the caustics texture's coordinates, 0 to 1 inside it. B: the light that
-// enters, Fresnel's transmittance times the share of a texel's area, less shadows. A: metres of water to the hit; the
-// attenuation differs between red, green and blue and is applied where the photon is gathered.
+// A texel is a ray of the sun that crosses the plane of the water level at a point of a regular lattice, so that all rays carry
+// the same flux. R, G: the hit in the caustics map's coordinates, 0 to 1 inside it. B: the flux under the surface (photonFlux),
+// less shadows. A: metres of water to the hit; attenuation differs between red, green and blue and is applied where the photon
+// is gathered.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/trigonometry.glsl"
 #if WAVE_COUNT > 0
-uniform float waveWeights[WAVE_COUNT]; // what is left of each wave: the lattice cannot carry those shorter than its cells
+uniform float waveWeights[WAVE_COUNT]; // of each wave's amplitude: the lattice cannot sample waves shorter than its cells
 #endif
 #define WAVE_WEIGHTS
 #include "shared/waves.glsl"
@@ -22,9 +22,9 @@ in vec2 uv;
 
 out vec4 fragment;
 
-// A of section 7.1 for a point W: what the refracted sun's light through W meets. Here and below points are written
-// (x, z, y), so that the third coordinate is the depth along the camera's axis that intersection.glsl compares.
-vec3 seenBySun(vec3 W, vec2 shear)
+// A of section 7.1 for a point W: where the refracted sunlight through W meets the bed, from the sun's depth map. Points are
+// written (x, z, y), so that the third coordinate is the one that intersection.glsl compares.
+vec3 bedBelow(vec3 W, vec2 shear)
 {
     vec2 plane = sunPlane(W.xzy, waterLevel, shear);
     float height = heightFromDepth(textureLod(sunDepth, vec3(sunMapUv(sunRect, plane), submergedLayer), 0.0).r);
@@ -34,15 +34,15 @@ vec3 seenBySun(vec3 W, vec2 shear)
 void main()
 {
     vec2 plane = sunMapPlane(causticsRect, uv);
-    fragment = vec4(uv, 0.0, 0.0); // no light, and a place that does not stretch the mesh
+    fragment = vec4(uv, 0.0, 0.0); // no light, and a position that does not stretch the mesh
     if (any(greaterThan(abs(plane - waterRect.xy), waterRect.zw))) return;
 
-    // U: where the ray meets the waves.
+    // U: the point at which the ray meets the waves.
     vec2 shearAbove = sunShear(sunDirection);
     WaveSum surface = weightedWaveSum(plane, time);
     float height = photonEntryHeight(surface.height, surface.slope, shearAbove);
     vec2 xz = plane + shearAbove * height;
-#ifdef SURFACE_MOVES_SIDEWAYS // the waves' height shifts U by more than a part of a photon's cell
+#ifdef SURFACE_MOVES_SIDEWAYS // the waves' height shifts U by a considerable part of a photon's cell
     surface = weightedWaveSum(xz, time);
 #endif
     vec3 U = vec3(xz, waterLevel + height);
@@ -55,10 +55,10 @@ void main()
     vec2 shear = sunShear(sunDirectionBelow);
     vec3 hit = U;
     float path = 0.0;
-    vec3 first = seenBySun(U, shear);
-    if (first.z < U.z) { // else the surface lies in the ground: the light of the shore's last texels
+    vec3 first = bedBelow(U, shear);
+    if (first.z < U.z) { // else the surface is below the ground: texels at the shore
         IntersectionState s = intersectionBegin(U, refracted, first);
-#define STEP(i) s = intersectionStepSeen(s, seenBySun(s.W, shear));
+#define STEP(i) s = intersectionStepSampled(s, bedBelow(s.W, shear));
         EACH_STEP
 #undef STEP
 #ifdef PLANAR // a single sample of the bed's depth
@@ -70,7 +70,7 @@ void main()
     }
 
     float flux = photonFlux(cosine, ior, causticsBorder.z, causticsBorder.y);
-    // A beach a hand above the level is not in the way of what enters beside it.
+    // The bias keeps a beach that rises a hand above the water from shadowing the light that enters beside it.
 #ifdef SHADOWS
     flux *= sunVisibility(firstCascadeLayer, sunRect, plane, U.z, vec2(0.0), 0.1);
 #endif

@@ -1,4 +1,4 @@
-// What of a cut-out surface (leaves, reeds) is there. Needs the maps of its material and the uniforms alpha and alphaCutoff.
+// The alpha test of cut-out surfaces (leaves, reeds). Needs the maps of the material and the uniforms alpha and alphaCutoff.
 
 float alphaOfMaps(vec2 at)
 {
@@ -13,10 +13,10 @@ float alphaOfMaps(vec2 at)
 }
 
 #ifdef DITHERED
-uniform int chunk; // which draw of the scene this is: its triangles are counted from 0
+uniform int chunk; // number of the draw in the scene: each counts its triangles from 0
 
-// The part of a pixel that the surface covers. The maps' smaller levels hold coverage; at full size alpha crosses the
-// cutoff within a texel, and a ramp one pixel wide about it is the pixel's coverage.
+// The fraction of a pixel that the surface covers. Mip levels from 1 hold coverage; at level 0 alpha crosses the cutoff within
+// a texel, and a ramp one pixel wide about the cutoff is the pixel's coverage.
 float cutOutFraction(vec2 at)
 {
     float a = alphaOfMaps(at);
@@ -27,8 +27,8 @@ float cutOutFraction(vec2 at)
     vec2 texels = vec2(textureSize(diffuseMap, 0));
 #endif
     vec2 across = dFdx(at) * texels, along = dFdy(at) * texels;
-    float level = 0.5 * log2(max(max(dot(across, across), dot(along, along)), 1.0e-12));
-    float isCoverage = clamp(level, 0.0, 1.0);
+    float mipLevel = 0.5 * log2(max(max(dot(across, across), dot(along, along)), 1.0e-12));
+    float isCoverage = clamp(mipLevel, 0.0, 1.0);
     float width = mix(max(fwidth(a), 1.0e-4), 1.0, isCoverage);
     return clamp((a - mix(cutoff, 0.5, isCoverage)) / width + 0.5, 0.0, 1.0);
 }
@@ -41,9 +41,9 @@ float triangleNumber()
     return float(((word >> 22u) ^ word) >> 8u) / 16777216.0;
 }
 
-// Whether the surface is there, with the probability of its coverage: sixteen neighbours have sixteen evenly spaced limits (Bayer 1973),
-// so that their mean is the coverage. Where a limit begins differs from triangle to triangle, or one leaf would hide what is
-// left of the leaf behind it; in alpha-to-coverage it does.
+// Whether the pixel is discarded: it is kept with the probability of its coverage. Sixteen neighbours have sixteen evenly spaced
+// limits (Bayer 1973), so that their mean is the coverage. The limits are shifted from triangle to triangle, or one leaf would
+// hide all that is left of the leaf behind it, as it does with alpha-to-coverage.
 bool isCutAway(vec2 at)
 {
     uvec2 p = uvec2(gl_FragCoord.xy) & 3u;

@@ -1,5 +1,5 @@
 // The mean of what was drawn over the area of one pixel of the picture (frame.scale above 1). TAPS texels across and up hold
-// that area, the outer ones in part where the scale is no whole number.
+// that area, the outer ones in part if the scale is no whole number.
 #include "shared/upscale.glsl"
 
 uniform sampler2D drawn;

@@ -28,10 +28,10 @@ void main()
     if (alpha * texel.a * texture(alphaMap, uv).r < alphaCutoff) discard;
 #endif
     vec3 n = normalize(normalW);
-    // How deep the point lies, and how deep the eye; of the way between them, the part under the level is water.
+    // Depths of the point and of the eye; the part of the line between them that is under the water level is water.
     float depth = hasWater * max(waterLevel - positionW.y, 0.0);
     float eyeDepth = hasWater * max(waterLevel - eye.y, 0.0);
-    float wet = min(max(depth, eyeDepth) / max(abs(positionW.y - eye.y), 1.0e-4), 1.0);
+    float waterFraction = min(max(depth, eyeDepth) / max(abs(positionW.y - eye.y), 1.0e-4), 1.0);
     vec3 toSun = depth > 0.0 ? sunDirectionBelow : sunDirection;
     vec3 sun = depth > 0.0 ? sunBelow : sunIrradiance;
     vec3 light = sun * max(dot(n, toSun), 0.0) + shIrradiance(skyIrradiance, n);
@@ -39,8 +39,8 @@ void main()
     // Samples at the edge of a triangle extrapolate its corners' colours, and may fall below zero.
     vec3 albedo = diffuseReflectance * max(tint, vec3(0.0)) * texel.rgb;
     vec3 radiance = emittedRadiance + albedo / lightPi * light;
-    vec3 seen = beerLambert(absorption, wet * distance(positionW, eye));
-    radiance = radianceThroughWater(radiance, deepRadiance, seen);
+    vec3 attenuation = beerLambert(absorption, waterFraction * distance(positionW, eye));
+    radiance = radianceThroughWater(radiance, deepRadiance, attenuation);
     // Radiance that leaves the water spreads, and what enters it narrows.
     if (depth > 0.0 && eyeDepth <= 0.0) radiance /= ior * ior;
     if (depth <= 0.0 && eyeDepth > 0.0) radiance *= ior * ior;

@@ -1,9 +1,9 @@
-// The draft's water: mirrors the sky by Fresnel's formula and lets through what draft.frag has drawn behind it. The normal
-// is that of the first few waves. UNDERWATER: seen from below it mirrors the water itself, and shows the sky alone.
+// The draft's water: mirrors the sky by Fresnel's formula and transmits what draft.frag has drawn behind it. The normal is
+// that of the first few waves. UNDERWATER: from below it mirrors the water itself, and transmits the sky alone.
 #include "shared/blocks.glsl"
 #include "shared/refraction.glsl"
 #include "shared/trigonometry.glsl"
-// The first four: those that are not there have no amplitude.
+// The first four waves; missing ones have an amplitude of 0.
 #define EACH_WAVE WAVE(0) WAVE(1) WAVE(2) WAVE(3)
 #include "shared/waves.glsl"
 
@@ -11,7 +11,7 @@ in vec3 positionW;
 
 uniform samplerCube skyMap;
 
-out vec4 fragment; // blended: its own radiance, and the part of what is behind that it hides
+out vec4 fragment; // blended: its own radiance, and the fraction of the background's that it replaces
 
 void main()
 {
@@ -19,7 +19,7 @@ void main()
     float range = length(toEye);
     toEye /= range;
     vec2 slope = waveSum(positionW.xz, time).slope;
-    // Far away a pixel spans many waves, and sees their mean.
+    // Far away a pixel spans many waves and shows their mean.
     slope *= min(1.0, 8.0 / range);
 #ifdef UNDERWATER
     vec3 n = -waveNormal(slope);

@@ -1,12 +1,12 @@
 // Smooths the edges of the shown picture (frame.antialiasing = fxaa); shared/fxaa.glsl.
 //
-// The luma of a texel is its alpha. The search has a fixed number of steps and no way out of its loop: what a
-// pixel does not need costs the same on hardware that runs neighbours in step.
+// The luma of a texel is its alpha. The search has a fixed number of steps and never breaks out of its loop, which would
+// save nothing on hardware that runs neighbouring pixels in lockstep.
 #include "shared/fxaa.glsl"
 
 in vec2 uv;
 
-uniform sampler2D source; // linearly filtered: a look between two texels is their mean
+uniform sampler2D source; // linearly filtered: a sample between two texels is their mean
 
 out vec4 fragment;
 

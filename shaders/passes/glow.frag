@@ -15,11 +15,11 @@ out vec4 fragment;
 
 void main()
 {
-    // The small target has no depth of its own. A texel of the picture's depth stands for several fragments here, so
-    // only what is clearly nearer than the water hides it.
-    float seen = -viewZFromDepth(texture(sceneDepth, gl_FragCoord.xy / pixels).r, nearPlane, farPlane);
-    float here = -viewZFromDepth(gl_FragCoord.z, nearPlane, farPlane);
-    if (seen < 0.95 * here - 0.1) discard;
+    // The small target has no depth of its own. A fragment here covers several texels of the picture's depth, so only what is
+    // clearly nearer than the water hides it.
+    float sceneDistance = -viewZFromDepth(texture(sceneDepth, gl_FragCoord.xy / pixels).r, nearPlane, farPlane);
+    float waterDistance = -viewZFromDepth(gl_FragCoord.z, nearPlane, farPlane);
+    if (sceneDistance < 0.95 * waterDistance - 0.1) discard;
 
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);

@@ -1,10 +1,10 @@
-// Follows a ray to the ground of the map of heights. Needs shared/height_field.glsl and
-// height_pyramid.glsl; marchUnit: of the steps, m.
+// Intersects a ray with the bed's map of heights. Needs shared/height_field.glsl, height_pyramid.glsl and the uniform
+// marchUnit, m, that Lipp's steps are counted in.
 // PYRAMID: through the pyramid of largest heights; else in Lipp's steps, MARCH_REFINE times halved at the end.
 
-uniform sampler2D bedHeights; // m, of the texels' centres; level n: the largest of 2^n + 1 by 2^n + 1 of them
+uniform sampler2D bedHeights; // m, of the texels' centres; mip level n: the largest of 2^n + 1 by 2^n + 1 of them
 uniform vec4 bedRect;         // what it covers: centre x, z and half extent x, z, m
-uniform float bedLowest;      // where nothing lies, and under all that does, m
+uniform float bedLowest;      // height of empty texels, below all others, m
 
 struct GroundHit {
     vec3 point; // world
@@ -34,29 +34,29 @@ bool isOnMap(vec2 xz) { return all(lessThanEqual(abs(xz - bedRect.xy), bedRect.z
 #ifdef PYRAMID
 GroundHit findGround(vec3 from, vec3 direction)
 {
-    const int firstLevel = 3; // most rays end some texels from where they start
+    const int firstMipLevel = 3; // most rays end within some texels of their start
     PyramidRay ray = pyramidRay(from, direction, bedRect, textureSize(bedHeights, 0));
     float end = (from.y - bedLowest) / max(-direction.y, 1.0e-6);
     float t = 0.0;
-    int level = firstLevel;
-    for (int i = 0; i < mostLooks && t < end; ++i) {
-        PyramidBlock block = pyramidBlock(ray, t, level, end);
+    int mipLevel = firstMipLevel;
+    for (int i = 0; i < maxPyramidSteps && t < end; ++i) {
+        PyramidBlock block = pyramidBlock(ray, t, mipLevel, end);
         if (!block.isOnMap) break;
-        if (level == 0) {
+        if (mipLevel == 0) {
             vec3 inCell = vec3(block.here.xy - block.corner, block.here.z);
             float met = patchCrossing(bedCorners(ivec2(block.corner)), inCell, ray.along, block.within);
             if (met >= 0.0) return GroundHit(from + (t + met) * direction, true);
             t += block.within + ray.past;
-            level = 1;
+            mipLevel = 1;
             continue;
         }
-        float highest = texelFetch(bedHeights, max(ivec2(block.corner), ivec2(0)), level).r;
+        float highest = texelFetch(bedHeights, max(ivec2(block.corner), ivec2(0)), mipLevel).r;
         if (block.here.z + block.within * ray.along.z > highest) {
             t += block.within + ray.past;
-            level = min(level + 1, ray.top);
+            mipLevel = min(mipLevel + 1, ray.top);
         } else {
             if (block.here.z > highest) t += (block.here.z - highest) / -ray.along.z * 0.999;
-            --level;
+            --mipLevel;
         }
     }
     return GroundHit(from + min(t, end) * direction, false);

@@ -1,5 +1,5 @@
-// What the surface mirrors of a ray: found in the mirrored camera's picture (Mihálik 2008, section 7.1 and eq. 6), in a map
-// of heights (Lipp), in both, or the sky alone. For water.frag.
+// Radiance along a reflected ray: from the mirrored camera's picture (Mihálik 2008, section 7.1 and eq. 6), from a map of
+// heights (Lipp), from both, or of the sky alone. For water.frag.
 #ifdef RAYCAST_REFLECTION
 #include "passes/raycast_mirror.glsl"
 #endif
@@ -22,7 +22,7 @@ uniform mat4 worldFromReflectionView;
 #endif
 
 #ifdef ITERATIVE_REFLECTION
-// Section 7.1 in the mirrored camera's view space: where the reflected ray meets what that camera sees.
+// Section 7.1 in the mirrored camera's view space: intersects the reflected ray with that camera's depth buffer.
 vec2 reflectionTexelAt(vec3 w) { return texelOf(reflectionClipFromView * vec4(w, 1.0)); }
 
 float reflectionZ(vec3 w)
@@ -31,26 +31,26 @@ float reflectionZ(vec3 w)
     return viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
 }
 
-bool isMirroredSky(vec3 seen) { return -seen.z > 0.99 * reflectionNearFar.y; }
+bool isMirroredSky(vec3 A) { return -A.z > 0.99 * reflectionNearFar.y; }
 
 void stepMirrored(inout IntersectionState s, inout MirrorChoice choice)
 {
     vec3 w = s.W;
-    vec3 seen = seenThrough(w, reflectionZ(w));
-    s = intersectionStepSeen(s, seen);
-    choice = mirrorConsider(choice, w, seen, isMirroredSky(seen));
+    vec3 A = depthSample(w, reflectionZ(w));
+    s = intersectionStepSampled(s, A);
+    choice = mirrorConsider(choice, w, A, isMirroredSky(A));
 }
 
-// miss: squared chord between the ray's direction and that of what is shown for it.
+// miss: squared chord between the ray's direction and that of the sample which is taken for it.
 vec2 reflectionTexel(vec3 reflected, out float miss)
 {
     vec3 u = (reflectionViewFromWorld * vec4(surfaceW, 1.0)).xyz;
     u.z = min(u.z, -1.0e-3);
     vec3 r = normalize(mat3(reflectionViewFromWorld) * reflected);
     vec3 up = mat3(reflectionViewFromWorld) * vec3(0.0, 1.0, 0.0);
-    vec3 seen = seenThrough(u, reflectionZ(u));
-    IntersectionState s = intersectionBegin(u, r, seen);
-    MirrorChoice choice = mirrorConsider(mirrorBegin(u, r, up), u, seen, isMirroredSky(seen));
+    vec3 A = depthSample(u, reflectionZ(u));
+    IntersectionState s = intersectionBegin(u, r, A);
+    MirrorChoice choice = mirrorConsider(mirrorBegin(u, r, up), u, A, isMirroredSky(A));
 #define REFLECTION_STEP(i) stepMirrored(s, choice);
     EACH_REFLECTION_STEP
 #undef REFLECTION_STEP
@@ -67,8 +67,8 @@ vec2 reflectionTexel(vec3 reflected, out float miss)
 #endif
 
 #ifdef RAYCAST_REFLECTION
-// Whether a mirrored ray is marched through the map, and what it meets there. Where there is a picture too, that is taken
-// where it shows what lies on the ray: it shows crowns that a map has no room for.
+// Whether a reflected ray is marched through the map, and its hit there. If there is a picture too, that is used wherever its
+// sample lies on the ray: it shows tree crowns, which a map of heights cannot hold.
 bool isMirroredOnMap(vec3 reflected, float miss, out AboveWaterHit found)
 {
 #ifdef REFLECTION
@@ -85,22 +85,22 @@ bool isMirroredOnMap(vec3 reflected, float miss, out AboveWaterHit found)
 
 #if DEBUG_VIEW == DEBUG_VIEW_REFLECTION_HIT
 #ifdef REFLECTION
-vec4 shownAt(vec2 uv)
+vec4 mirroredPositionAt(vec2 uv)
 {
     vec2 size = vec2(textureSize(reflectionDepth, 0));
-    vec2 texel = clamp(uv, 0.5 / size, 1.0 - 0.5 / size); // past its border, the border
-    // The nearest sample's depth: a mean over an edge is the depth of nothing.
+    vec2 texel = clamp(uv, 0.5 / size, 1.0 - 0.5 / size); // beyond the border, the border
+    // The nearest sample's depth: a mean across an edge is the depth of neither side.
     float depth = texelFetch(reflectionDepth, ivec2(texel * size), 0).r;
     vec3 ray = vec3(tangentsAt(reflectionClipFromView, texel), -1.0);
     if (depth >= 1.0) return vec4(normalize(mat3(worldFromReflectionView) * ray), 2.0);
-    vec3 seen = ray * -viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
-    return vec4((worldFromReflectionView * vec4(seen, 1.0)).xyz, 1.0);
+    vec3 hit = ray * -viewZFromDepth(depth, reflectionNearFar.x, reflectionNearFar.y);
+    return vec4((worldFromReflectionView * vec4(hit, 1.0)).xyz, 1.0);
 }
 #endif
 
-// The point that the reflection's lookup shows, world, with alpha 1; where it shows none, the direction of what it does
-// show (sky, or deep water) with alpha 2.
-vec4 shownMirrored(vec3 reflected)
+// For the debug view: the point whose radiance the lookup returns, world, with alpha 1; for sky or deep water its direction,
+// with alpha 2.
+vec4 mirroredPosition(vec3 reflected)
 {
     float miss = 0.0;
 #ifdef REFLECTION
@@ -112,7 +112,7 @@ vec4 shownMirrored(vec3 reflected)
         return found.isFound > 0.5 ? vec4(found.point, 1.0) : vec4(reflected, 2.0);
 #endif
 #ifdef REFLECTION
-    return shownAt(texel);
+    return mirroredPositionAt(texel);
 #else
     return vec4(reflected, 2.0);
 #endif
@@ -123,15 +123,15 @@ vec3 reflectedRadiance(vec3 reflected)
 {
     float miss = 0.0;
 #ifdef REFLECTION
-    vec3 shown = texture(reflectionColour, reflectionTexel(reflected, miss)).rgb;
+    vec3 radiance = texture(reflectionColour, reflectionTexel(reflected, miss)).rgb;
 #elif defined(UNDERWATER)
-    vec3 shown = deepRadiance;
+    vec3 radiance = deepRadiance;
 #else
-    vec3 shown = texture(skyMap, reflected).rgb;
+    vec3 radiance = texture(skyMap, reflected).rgb;
 #endif
 #ifdef RAYCAST_REFLECTION
     AboveWaterHit found;
     if (isMirroredOnMap(reflected, miss, found) && found.isFound > 0.5) return mirroredRadiance(found);
 #endif
-    return shown;
+    return radiance;
 }

@@ -1,5 +1,5 @@
-// The bed by rays marched through its heights (Lipp), for water.frag: needs struct Transmitted and letThrough(); where
-// there is a refraction target too, target_bed.glsl.
+// The bed by rays marched through its heights (Lipp), for water.frag. Needs struct Transmitted and attenuationOver(), and
+// target_bed.glsl if there is a refraction target too.
 #if defined(SHADOWS) || defined(CAUSTICS)
 #include "shared/sunlight.glsl"
 #endif
@@ -12,7 +12,7 @@
 uniform sampler2D bedRadiance; // of the bed seen from above, without the sun
 uniform sampler2D bedResponse; // radiance for each unit of the sun's irradiance on a surface that faces it
 
-// Radiance of the ground at a point of the map. It is lit here, so that the map need not follow the waves.
+// Radiance of the ground at a point of the map. The ground is lit here, so that the map need not follow the waves.
 // across, along: how the point changes from pixel to pixel.
 vec3 groundRadiance(GroundHit ground, vec3 across, vec3 along)
 {
@@ -30,11 +30,11 @@ struct BedHit {
 };
 
 #ifdef BED_TARGET
-// Both know the bed. The target shows it as finely as the picture does, and all that the eye can see; the map knows what
-// the ray meets before it comes to what the eye sees. So the search in the target begins where the map's ray ended, and
-// what it finds is taken where it lies on the ray, closer than the map could tell, unless the map has the ray stopped
-// before. Where its heights jump a map cannot tell: it has a curtain there, and what stands over the bed may be open below.
-bool isTargetRight(GroundHit ground, TargetHit shown)
+// Which of the two to use. The target shows the bed at the picture's resolution, but only what the eye sees; the map also
+// knows what the ray meets before that. So the search in the target begins at the map's hit, and its result is used if it
+// lies on the ray more closely than the map's resolution, unless the map's hit comes first. Where heights jump the map is no
+// judge: it has a curtain there, while the real object may be open below.
+bool isTargetRight(GroundHit ground, TargetHit target)
 {
     if (!ground.isFound) return true;
     vec2 texels = 2.0 * bedRect.zw / vec2(textureSize(bedHeights, 0));
@@ -44,11 +44,11 @@ bool isTargetRight(GroundHit ground, TargetHit shown)
                  min(min(corners.x, corners.y), min(corners.z, corners.w));
     if (jump > 3.0 * texel) {
         float perMetre = 2.0 / (refractionClipFromView[1][1] * float(textureSize(refractionDepth, 0).y)); // of the target's texels
-        float near = 2.0 * perMetre * distance(eye, shown.hitW);
-        return shown.gap < max(near, 0.1 * distance(shown.hitW, ground.point));
+        float near = 2.0 * perMetre * distance(eye, target.hitW);
+        return target.gap < max(near, 0.1 * distance(target.hitW, ground.point));
     }
-    float beyond = distance(shown.hitW, surfaceW) - distance(ground.point, surfaceW);
-    return shown.gap < 0.2 * texel && beyond < 3.0 * texel;
+    float beyond = distance(target.hitW, surfaceW) - distance(ground.point, surfaceW);
+    return target.gap < 0.2 * texel && beyond < 3.0 * texel;
 }
 #endif
 
@@ -62,14 +62,14 @@ BedHit lookupBed(vec3 refracted)
     hit.isFound = ground.isFound;
     hit.isOnTarget = false;
 #ifdef BED_TARGET
-    TargetHit shown = searchTarget(direction, max(path, 1.0e-3));
-    if (isTargetRight(ground, shown)) {
-        hit.transmitted = transmittedFrom(shown);
+    TargetHit target = searchTarget(direction, max(path, 1.0e-3));
+    if (isTargetRight(ground, target)) {
+        hit.transmitted = transmittedFrom(target);
         hit.isOnTarget = true;
         return hit;
     }
 #endif
     vec3 bed = groundRadiance(ground, across, along);
-    hit.transmitted = Transmitted(radianceThroughWater(bed, deepRadiance, letThrough(path)), ground.point, path);
+    hit.transmitted = Transmitted(radianceThroughWater(bed, deepRadiance, attenuationOver(path)), ground.point, path);
     return hit;
 }

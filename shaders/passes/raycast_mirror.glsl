@@ -1,4 +1,4 @@
-// What is mirrored by rays marched through what stands over the water (Lipp), for water.frag.
+// Reflection by rays marched through the map of what stands over the water (Lipp), for water.frag.
 #include "passes/above_water_march.glsl"
 
 uniform sampler2D aboveWaterTops; // radiance of what stands over the water, seen from above
@@ -13,8 +13,8 @@ vec3 mirroredRadiance(AboveWaterHit hit)
 {
     vec2 scale = 0.5 / aboveWaterRect.zw;
     vec2 uv = (hit.point.xz - aboveWaterRect.xy) * scale + 0.5;
-    // As wide as the pixel is there, were it seen straight on: facets call this where derivatives are undefined.
+    // The mip level of the pixel's footprint there, as if seen head-on: facets call this where derivatives are undefined.
     float pixel = pixelAngle * (distance(eye, surfaceW) + distance(surfaceW, hit.point));
-    float lod = log2(max(pixel * scale.x * float(textureSize(aboveWaterTops, 0).x), 1.0));
-    return mix(textureLod(aboveWaterTops, uv, lod).rgb, textureLod(aboveWaterUndersides, uv, lod).rgb, hit.isUnder);
+    float mipLevel = log2(max(pixel * scale.x * float(textureSize(aboveWaterTops, 0).x), 1.0));
+    return mix(textureLod(aboveWaterTops, uv, mipLevel).rgb, textureLod(aboveWaterUndersides, uv, mipLevel).rgb, hit.isUnder);
 }

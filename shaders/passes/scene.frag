@@ -2,9 +2,9 @@
 //
 // Above the water: sun and sky directly. Below it: the sun refracted by the flat surface and the sky through it, both
 // absorbed on their way down. UNDERWATER: the eye is in the water too, so what lies between is water (eq. 10).
-// Where the surface cuts the near plane, that holds for the pixels under it.
-// IN_AIR, IN_WATER: all of what is drawn is on that side of the level, and pays for that side's light alone.
-// FOR_MAP: what a map of the scene from above keeps: all but the sun's light under water, which is looked up later.
+// If the surface cuts the near plane, that holds for the pixels under it.
+// IN_AIR, IN_WATER: all that is drawn is on that side of the water level, and only that side's light is computed.
+// FOR_MAP: for a map of the scene from above: all but the sun's light under water, which the map's readers add.
 // DEBUG_VIEW: final, or the normals.
 #include "shared/blocks.glsl"
 #include "shared/debug_views.glsl"
@@ -46,10 +46,10 @@ uniform vec3 specularReflectance;
 uniform float shininess;
 #endif
 #ifdef TRANSMISSION
-uniform vec3 transmission; // of a thin leaf, as a share of its reflectance
+uniform vec3 transmission; // of a thin leaf, as a fraction of its reflectance
 #endif
 #ifdef SHADOWS
-uniform float geometryError; // m by which what is drawn may be off, where the shadow maps are not
+uniform float geometryError; // m by which the drawn mesh may differ from that of the shadow maps
 #else
 const float geometryError = 0.0;
 #endif
@@ -60,14 +60,14 @@ uniform float alphaCutoff;
 #endif
 
 #ifdef UNDERWATER
-uniform sampler2D waterline; // 1 where a pixel is under water, waterline.frag; a single texel: all of them are
+uniform sampler2D waterline; // 1 for pixels under water, waterline.frag; a single texel: for all of them
 #endif
 
 layout(location = 0) out vec4 fragment;
 #ifdef FLAT_WATER
-// The point that is shown. Within a triangle it is not quite where a flat surface would show it, since only corners are
-// moved there; water.frag must know which point it got. 1 tells it from nothing.
-layout(location = 1) out vec4 shown;
+// The point that is drawn. Within a triangle it is not quite at its apparent position, since only vertices are moved there;
+// water.frag must know which point it got. Alpha is the coverage.
+layout(location = 1) out vec4 drawnPosition;
 #endif
 #ifdef FOR_MAP
 // Radiance for each unit of the sun's irradiance facing it; 1 for a front, 1/2 for the back of something solid.
@@ -116,7 +116,7 @@ vec3 punctualLight(LightTerm source, vec3 n, vec3 toEye, vec3 albedo)
     return lit(n, toEye, light, source.intensity * (cone / distance2), albedo);
 }
 
-// From one pixel to the next, taken before anything branches: m.
+// From one pixel to the next, m; derivatives, taken before anything branches.
 vec3 acrossW, alongW;
 
 // The sun's irradiance above the water on a surface that faces it.
@@ -170,7 +170,7 @@ void main()
 #elif defined(IN_WATER)
     const bool submerged = true;
 #else
-    // A wall on the very edge of the water is wet: a centimetre keeps rounding from speckling it.
+    // A wall on the very edge of the water counts as wet: without a centimetre's margin rounding would speckle it.
     bool submerged = hasWater > 0.5 && depth > 0.0 &&
                      all(lessThanEqual(abs(positionW.xz - waterRect.xy), waterRect.zw + 0.01));
 #endif
@@ -204,8 +204,8 @@ void main()
 #undef LIGHT
 
 #ifdef UNDERWATER
-    // What stands over the level is seen through water as far as the level (a shore behind the foot of a wave).
-    // The reflection's mirrored eye stands over the level itself; all it sees is seen through water.
+    // Light from above the water level passes through water up to the level (a shore behind the foot of a wave). The mirrored
+    // eye of the reflection is above the level itself; all that it sees, it sees through water.
     float fraction = depth > 0.0 ? 1.0 : min(abs(waterLevel - eye.y) / max(abs(positionW.y - eye.y), 1.0e-6), 1.0);
     vec3 a = beerLambert(absorption, fraction * distance(positionW, eye));
     ivec2 pixel = min(ivec2(gl_FragCoord.xy), textureSize(waterline, 0) - 1);
@@ -214,6 +214,6 @@ void main()
 #endif
     fragment = vec4(radiance, coverage);
 #ifdef FLAT_WATER
-    shown = vec4(positionW, 1.0);
+    drawnPosition = vec4(positionW, 1.0);
 #endif
 }

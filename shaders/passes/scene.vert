@@ -10,7 +10,7 @@ layout(location = 2) in vec4 tangentM;
 layout(location = 3) in vec2 uvM;
 layout(location = 4) in vec4 colourM;
 
-// Depth that was drawn alone is met again exactly.
+// The depth prepass and the shading pass must compute the same depth exactly.
 invariant gl_Position;
 
 uniform mat4 worldFromModel;
@@ -39,5 +39,5 @@ void main()
 #else
     gl_Position = clipFromWorld * position;
 #endif
-    gl_ClipDistance[0] = dot(clipPlane, position); // of use where the view clips
+    gl_ClipDistance[0] = dot(clipPlane, position); // only views that clip enable it
 }

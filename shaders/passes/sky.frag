@@ -1,11 +1,11 @@
-// What is seen where no geometry is: the baked sky, and the sun's disc where the pass asks for it.
+// The background: the baked sky, and the sun's disc if the pass asks for it.
 #include "shared/blocks.glsl"
 
 in vec3 directionW;
 
 uniform samplerCube skyMap;
 #ifdef WATERLINE
-uniform sampler2D waterline; // 1 where a pixel is under water, waterline.frag
+uniform sampler2D waterline; // 1 for pixels under water, waterline.frag
 #endif
 
 out vec4 fragment;
@@ -18,8 +18,8 @@ vec3 sunDisc(vec3 direction)
     float radius = max(angularRadius, 0.5 * pixelAngle);
     float angle = length(cross(direction, sunDirection)); // the sine; exact enough for so small an angle
     if (dot(direction, sunDirection) < 0.0 || sunDirection.y < -angularRadius) return vec3(0.0);
-    float edge = 1.0 - smoothstep(radius - 0.5 * pixelAngle, radius + 0.5 * pixelAngle, angle);
-    return min(sunIrradiance * (edge / (3.14159265 * radius * radius)), vec3(60000.0));
+    float coverage = 1.0 - smoothstep(radius - 0.5 * pixelAngle, radius + 0.5 * pixelAngle, angle);
+    return min(sunIrradiance * (coverage / (3.14159265 * radius * radius)), vec3(60000.0));
 }
 
 void main()

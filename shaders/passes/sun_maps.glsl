@@ -1,7 +1,7 @@
-// Lookups in the sun's depth maps. Needs blocks.glsl and sunlight.glsl; SHADOW_TAPS: comparisons along an edge.
+// Lookups in the sun's depth maps. Needs blocks.glsl and sunlight.glsl. SHADOW_TAPS: comparisons per side of the filter.
 
-// Layer 0: along the refracted sun, of what lies under the level, over the first cascade's rectangle. Layers from 1: along
-// the sun, of what stands over the level, one for each cascade.
+// Layer 0: along the refracted sun, of what is under the water level, over the first cascade's rectangle. Layers from 1: along
+// the sun, of what is over the water level, one for each cascade.
 uniform sampler2DArray sunDepth;
 const int submergedLayer = 0, firstCascadeLayer = 1;
 
@@ -9,10 +9,10 @@ float heightFromDepth(float depth01) { return mix(sunHeights.y, sunHeights.x, de
 
 bool isInside(vec4 rect, vec2 plane) { return all(lessThanEqual(abs(plane - rect.xy), rect.zw)); }
 
-// The share of the sun's light that passes a map on its way to a point at height y: percentage-closer filtering
-// (Reeves et al. 1987), a box of SHADOW_TAPS - 1 texels with linear edges. Each comparison is made with the height
-// that the receiving plane has there, so that its own slope casts no shadow on it; the map's depth falls evenly with height,
-// so that it is the plane that is turned into depths, once.
+// The fraction of the sun's light that reaches a point at height y: percentage-closer filtering (Reeves et al. 1987) with a
+// box of SHADOW_TAPS - 1 texels with linear edges. Each comparison is made with the height of the receiving plane there, so
+// that its own slope casts no shadow on it; the map's depth is linear in height, so that the plane is converted to depths
+// once.
 // layer: of the map; rect: what it covers; plane: sunPlane of the point; gradient: sunPlaneGradient of its surface.
 float sunVisibility(int layer, vec4 rect, vec2 plane, float y, vec2 gradient, float bias)
 {
@@ -25,26 +25,26 @@ float sunVisibility(int layer, vec4 rect, vec2 plane, float y, vec2 gradient, fl
     float here = (sunHeights.y - y - bias) * perMetre - dot(perTexel, vec2(corner) + 0.5 - position);
     float sum = 0.0;
 #if SHADOW_TAPS > 1
-    vec2 part = clamp(first - vec2(corner), 0.0, 1.0);
+    vec2 fraction = clamp(first - vec2(corner), 0.0, 1.0);
 #endif
     for (int j = 0; j < SHADOW_TAPS; ++j) {
         for (int i = 0; i < SHADOW_TAPS; ++i) {
             float lit = step(here - dot(perTexel, vec2(i, j)), texelFetch(sunDepth, ivec3(corner + ivec2(i, j), layer), 0).r);
 #if SHADOW_TAPS > 1
-            vec2 edge = vec2(i == 0 ? 1.0 - part.x : (i == SHADOW_TAPS - 1 ? part.x : 1.0),
-                             j == 0 ? 1.0 - part.y : (j == SHADOW_TAPS - 1 ? part.y : 1.0));
-            sum += edge.x * edge.y * lit;
+            vec2 weight = vec2(i == 0 ? 1.0 - fraction.x : (i == SHADOW_TAPS - 1 ? fraction.x : 1.0),
+                               j == 0 ? 1.0 - fraction.y : (j == SHADOW_TAPS - 1 ? fraction.y : 1.0));
+            sum += weight.x * weight.y * lit;
 #else
             sum += lit;
 #endif
         }
     }
     sum /= float(SHADOW_TAPS > 1 ? (SHADOW_TAPS - 1) * (SHADOW_TAPS - 1) : 1);
-    return isInside(rect, plane) ? sum : 1.0; // nothing is known beside the map
+    return isInside(rect, plane) ? sum : 1.0; // outside the map nothing is known
 }
 
-// Of a point in the air: the finest map that holds it knows (cascades, Engel 2006). Each holds those before it, so that one
-// lookup, in the map that is chosen here, is enough.
+// The same for a point in the air, from the finest cascade that contains it (Engel 2006). Each contains those before it, so
+// that one lookup is enough.
 float sunVisibilityInAir(vec2 plane, float y, vec2 gradient)
 {
     int layer = firstCascadeLayer;

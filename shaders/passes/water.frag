@@ -1,4 +1,4 @@
-// The water's surface: finds what the refracted and the reflected ray meet, absorbs, and mixes by Fresnel.
+// The water's surface: intersects the refracted and the reflected ray with the scene, absorbs, and mixes by Fresnel.
 // Mihálik 2008, chapter 7. Radiance through the surface keeps the factor 1/n² (seen from above) or n² (from below).
 #include "shared/blocks.glsl"
 #include "shared/debug_views.glsl"
@@ -33,7 +33,7 @@ uniform float phongStrength;
 #endif
 
 #ifdef WATERLINE
-uniform sampler2D waterline; // which pixels are under water, and which on the line: waterline.frag
+uniform sampler2D waterline; // which pixels are under water, and which are on the line: waterline.frag
 #endif
 
 out vec4 fragment;
@@ -44,19 +44,19 @@ struct Transmitted {
     float path;    // |A - U|, m
 };
 
-// The tangents, across and up, that a camera sees at a texel; its frustum may be oblique.
+// Tangents, across and up, of a camera's ray through texture coordinates; its frustum may be oblique.
 vec2 tangentsAt(mat4 clipFromView, vec2 texel)
 {
     vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
     return (2.0 * texel - 1.0 + clipFromView[2].xy) / scale;
 }
 
-// The texel that a camera sees a point at. Behind the camera there is none; the nearest is the target's border.
+// Texture coordinates at which a camera sees a point. Behind the camera there are none; the nearest are the target's border.
 vec2 texelOf(vec4 clip) { return clip.xy / max(clip.w, 1.0e-6) * 0.5 + 0.5; }
 
 #ifndef UNDERWATER
-// What the water lets through of the bed's light on its way to the surface.
-vec3 letThrough(float path)
+// Transmittance of a path from the bed to the surface.
+vec3 attenuationOver(float path)
 {
 #ifdef LINEAR_ATTENUATION
     return vec3(linearAttenuation(path, attenuationLength));
@@ -95,7 +95,7 @@ struct FacetSum {
     float weight;
 };
 
-// Adds a facet that mirrors this radiance. frequency: how much of the surface is of its kind.
+// Adds a facet that mirrors this radiance. frequency: fraction of the surface with its slope.
 void addFacet(inout FacetSum sum, vec3 n, float frequency, vec3 toEye, vec3 radiance)
 {
     float facing = max(dot(toEye, n), 0.0); // nothing of a facet is seen from behind
@@ -113,7 +113,7 @@ void addFacet(inout FacetSum sum, vec2 slope, float frequency, vec3 toEye)
 }
 #endif
 
-// What the surface lets through and what it mirrors, as fractions, and the mirrored radiance, all of a pixel.
+// Mean over a pixel of the mirrored radiance, and of the fractions of light that pass the surface and are mirrored.
 //
 // FACETS: waves that a pixel cannot show still tilt its surface. Their slopes along the line of sight, which is where
 // they matter (a grazing view sees the facets that lean towards it, so that far water mirrors more of the sky and less
@@ -153,7 +153,7 @@ vec3 mirroredTowards(vec3 toEye, Surface surface, out vec2 fractions)
 #ifdef UNDERWATER
 void main()
 {
-    // No mean normal here: at the rim of Snell's window it would mix what no facet mirrors with what none lets through.
+    // No mean normal here: at the rim of Snell's window a mean over facets is what none of them shows.
     Surface surface = surfaceHere();
     vec3 toEye = normalize(eye - surfaceW);
     vec3 down = -surface.normal;
@@ -193,8 +193,8 @@ void main()
     float fresnel = fractions.y;
 
 #if defined(REFRACTION) || defined(RAYCAST)
-    // What is mirrored is a mean over the pixel's facets. What is seen through them is that of the facet in its middle: one
-    // of those that make up the mean, where a ray through a surface of the mean normal is none of them.
+    // Mirrored radiance is a mean over the pixel's facets. Refraction takes the facet in the middle of the pixel: that is one of
+    // those in the mean, while a ray refracted by the mean normal belongs to none of them.
     vec3 refracted = refractRay(-toEye, surface.normal, 1.0 / ior);
 #ifdef RAYCAST
     BedHit bed = lookupBed(refracted);
@@ -253,10 +253,10 @@ void main()
 #ifdef RAYCAST
     fragment = vec4(hit.x, bedHeight(hit.xz), hit.z, bed.isFound ? 1.0 : 0.5); // the picture is taken straight from above
 #ifdef BED_TARGET
-    if (bed.isOnTarget) fragment = shownFor(hit);
+    if (bed.isOnTarget) fragment = sampledPosition(hit);
 #endif
 #elif defined(REFRACTION)
-    fragment = shownFor(hit);
+    fragment = sampledPosition(hit);
 #endif
 #ifdef UNDERWATER
     if (fraction < 0.5) fragment.a = 0.5; // the sky was taken
@@ -265,9 +265,9 @@ void main()
 #ifdef NO_REFLECTION
     fragment = vec4(0.0); // nothing
 #elif defined(UNDERWATER)
-    fragment = shownMirrored(reflected);
+    fragment = mirroredPosition(reflected);
 #else
-    fragment = shownMirrored(reflectedFrom(surface.meanNormal, toEye));
+    fragment = mirroredPosition(reflectedFrom(surface.meanNormal, toEye));
 #endif
 #elif DEBUG_VIEW == DEBUG_VIEW_FINAL
     fragment = vec4(radiance, 1.0);

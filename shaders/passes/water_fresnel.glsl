@@ -1,5 +1,5 @@
-// Fresnel's shares at the surface seen from above, by the way that water.fresnel chooses. Needs blocks.glsl and
-// refraction.glsl.
+// Transmitted and mirrored fractions at the surface from above, by the method of the option water.fresnel. Needs blocks.glsl
+// and refraction.glsl.
 #include "shared/fresnel_table.glsl"
 
 uniform float schlickExponent; // q of eq. 7
@@ -7,7 +7,7 @@ uniform float schlickExponent; // q of eq. 7
 uniform sampler2D fresnelTable; // FRESNEL_TABLE: whether its texels are blended
 #endif
 
-// What of the light passes the surface, and what is mirrored.
+// The fractions of light that pass the surface and that are mirrored.
 vec2 fresnelFractions(float cosine)
 {
 #ifdef FRESNEL_TABLE

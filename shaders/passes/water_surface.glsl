@@ -1,26 +1,26 @@
-// The point U of the water's surface that a fragment shows, for the passes that draw it. Needs blocks.glsl, waves.glsl and
-// normal_map.glsl.
+// The point U of the water's surface that a fragment shows, and its normals, for the passes that draw the surface. Needs
+// blocks.glsl, waves.glsl and normal_map.glsl.
 
-in vec3 drawnW; // what the grid's triangle shows
+in vec3 drawnW; // on the grid's triangle
 #ifdef VERTEX_NORMALS
 in vec2 vertexSlope;
 #endif
 
-uniform float footprint; // of what is shown of a pixel, in parts of its edge: less than 1 where samples of it are averaged
+uniform float footprint; // size of a sample's footprint in pixels: less than 1 if several samples of a pixel are averaged
 
 vec3 surfaceW; // U: on the waves themselves after surfaceHere()
 
 struct Surface {
-    vec3 normal;     // N, up: of all waves, at U
-    vec3 meanNormal; // of the waves that a pixel can show: about it lie the facets that mirror into the pixel
-    float slopeVariance; // slope variance of the others
-    vec3 plainNormal; // the same as meanNormal, but for the normal map's bump factor
+    vec3 normal;         // N, up: of all waves, at U
+    vec3 meanNormal;     // of the waves that a pixel resolves: the mean of the facets that mirror into the pixel
+    float slopeVariance; // of the others
+    vec3 plainNormal;    // meanNormal without the normal map's bump factor
 };
 
 #ifdef EACH_SURFACE_STEP
-// Newton's method along the eye's ray, from the triangle to the waves that it stands for. Never faster than twice the
-// step to a level plane, for the slope says nothing where a ray grazes a crest; and never further than a quarter of the
-// way to the eye, so that it stays on the side of the surface on which the triangle is drawn.
+// Newton's method along the eye's ray, from the triangle to the waves that it approximates. A step is at most twice the one to
+// a level plane, since the slope means nothing where a ray grazes a crest; and the sum of steps is at most a quarter of the
+// distance to the eye, so that U stays on the side of the surface on which the triangle is drawn.
 // moved: m along the ray so far.
 float surfaceStep(float moved, vec3 direction, float side, float least, float most)
 {
@@ -34,12 +34,12 @@ float surfaceStep(float moved, vec3 direction, float side, float least, float mo
 
 void moveToWaves()
 {
-    float far = distance(drawnW, eye);
-    vec3 direction = (drawnW - eye) / far;
+    float range = distance(drawnW, eye);
+    vec3 direction = (drawnW - eye) / range;
     float side = direction.y < 0.0 ? -1.0 : 1.0;
     float least = max(0.5 * abs(direction.y), 1.0e-3);
     float moved = 0.0;
-#define SURFACE_STEP(i) moved = surfaceStep(moved, direction, side, least, 0.25 * far);
+#define SURFACE_STEP(i) moved = surfaceStep(moved, direction, side, least, 0.25 * range);
     EACH_SURFACE_STEP
 #undef SURFACE_STEP
 }
@@ -53,24 +53,24 @@ uniform vec2 normalMapOffsets[4];
 
 vec2 slopeOf(vec3 normal) { return -normal.xz / normal.y; }
 
-// The normal map's slopes on top of the waves': those of the finest texels for the normal at U, those that a pixel can
-// show for the mean one, and what these have lost as slope variance.
+// Adds the normal map's slopes to the waves': unfiltered ones to the normal at U, filtered ones to the mean normal, and the
+// variance that filtering has taken away to the slope variance.
 void addRipples(inout Surface s)
 {
     vec2 across = dFdx(drawnW.xz) * (footprint / normalMapTile), along = dFdy(drawnW.xz) * (footprint / normalMapTile);
     vec3 sum = vec3(0.0), meanSum = vec3(0.0);
-    float lost = 0.0;
+    float filteredVariances = 0.0;
     for (int i = 0; i < 4; ++i) {
         vec2 uv = surfaceW.xz / normalMapTile + normalMapOffsets[i];
         sum += textureLod(normalMap, uv, 0.0).xyz;
 #ifdef FILTER_WAVES
         vec4 mean = textureGrad(normalMap, uv, across, along);
         meanSum += mean.xyz;
-        lost += normalMapLostVariance(mean);
+        filteredVariances += normalMapFilteredVariance(mean);
 #endif
     }
 #ifdef FILTER_WAVES
-    s.slopeVariance += normalMapSlopeVariance(lost, normalMapBump);
+    s.slopeVariance += normalMapSlopeVariance(filteredVariances, normalMapBump);
 #else
     meanSum = sum;
 #endif
@@ -93,7 +93,7 @@ Surface surfaceHere()
     s.normal = waveNormal(vertexSlope);
     s.meanNormal = s.normal;
 #elif defined(FILTER_WAVES)
-    // A wave fades, before it aliases, by how much of it lies between two pixels.
+    // A wave fades before it aliases, as its phase advances from pixel to pixel.
     vec2 across = footprint * dFdx(drawnW.xz), along = footprint * dFdy(drawnW.xz);
     FilteredWaves sum = filteredWaves(surfaceW.xz, time, across, along, s.slopeVariance);
     s.normal = waveNormal(sum.slope);

@@ -1,10 +1,10 @@
-// Which side of the surface each pixel is on, where the near plane cuts it: 1 where the picture begins under water.
+// The side of the surface on which each pixel's rays begin, for a near plane that the surface cuts.
 //
-// Red is for what a pixel shows past the surface. There a pixel on the line takes the side of those of its samples that
-// the surface leaves open: where rays go down, the ones that begin below it, and where they go up, the ones above.
-// Green marks the pixels on the line. The water in them goes sample by sample: a ray that begins above meets the
-// surface's upper side first, and one that begins below its lower side. Elsewhere its side is red's: along a crest's
-// silhouette rounding lets a sample of the facet behind through.
+// Red: 1 if the pixel begins under water; for everything but the surface. A pixel on the line takes the side of those samples
+// whose rays do not meet the surface: of rays that go down those that begin below it, of rays that go up those above.
+// Green: 1 for pixels on the line. There the surface is chosen sample by sample: a ray that begins above it meets its upper
+// side first, one that begins below its lower side. Elsewhere it takes the side in red: along a crest's silhouette rounding
+// would let samples of the facet behind through.
 #include "shared/blocks.glsl"
 #include "shared/trigonometry.glsl"
 #include "shared/waves.glsl"

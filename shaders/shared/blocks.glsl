@@ -23,17 +23,17 @@ struct LightTerm {
     float cosInner;
     vec3 intensity; // per steradian
     float cosOuter;
-    vec3 direction; // unit, the way the light goes
+    vec3 direction; // unit, the direction in which the light travels
     float pad0;
 };
 
-// One axis of the grid that draws the water: where its lines of vertices stand (water_grid.glsl).
+// One axis of the grid that draws the water: the positions of its lines of vertices (water_grid.glsl).
 struct GridAxis {
     float lower;    // ends of the water's rectangle, m
     float upper;
     float centre;   // where lines are closest, m
     float scale;    // m around the centre in which they are even; 0: even all along
-    float from;     // asinh((place - centre) / scale) of the second line, the first that is in view
+    float from;     // asinh((position - centre) / scale) of the second line, the first that is in view
     float to;       // of the last but one
     float vertices; // how many lines
     float pad0;
@@ -68,20 +68,20 @@ UNIFORM_BLOCK(ViewBlock) {
     mat4 worldFromClip;
     vec3 eye;            // world
     float nearPlane;
-    vec4 clipPlane;      // world: kept where dot(plane, vec4(p, 1)) >= 0; all zero keeps everything
+    vec4 clipPlane;      // world: what has dot(plane, vec4(p, 1)) >= 0 is drawn; all zero clips nothing
     vec2 pixels;         // size of the target
     float farPlane;
     float pixelAngle;    // radians a pixel spans at the centre
 };
 
-// The maps that the sun's light is looked up in (shared/sunlight.glsl): rectangles on the plane of the water's level.
+// The maps that the sun's light is looked up in (shared/sunlight.glsl): rectangles on the plane of the water level.
 UNIFORM_BLOCK(SunBlock) {
     vec4 sunRect;        // first cascade of the shadow maps: centre x, z and half extent x, z, m
     vec4 sunRectsBeyond[2]; // the further cascades, of the air only: each holds those before it; 0: there is none
     vec4 sunHeights;     // world y at their depth 1 and at depth 0, m; unused
     vec4 sunBiases;      // of a comparison in each cascade, m; unused
     vec4 causticsRect;   // caustics texture: centre x, z and half extent x, z, m
-    vec4 causticsBorder; // width of its fading border; edge of a texel; edge of a photon's cell, m; unused
+    vec4 causticsBorder; // width of its fading border; size of a texel; size of a photon's cell, m; unused
 };
 
 // The water's waves.

@@ -19,16 +19,16 @@ SHARED float photonEntryHeight(float height, vec2 slope, vec2 shear)
 }
 
 // Flux of a lattice cell relative to that of a texel: the ratio of their areas.
-SHARED float photonFraction(float cellEdge, float texelEdge)
+SHARED float photonFraction(float cellSize, float texelSize)
 {
-    return (cellEdge / texelEdge) * (cellEdge / texelEdge);
+    return (cellSize / texelSize) * (cellSize / texelSize);
 }
 
 // Flux of a photon just under the surface.
 // cosine: between the wave's normal and the sun's direction, > 0; ior: of the water.
-SHARED float photonFlux(float cosine, float ior, float cellEdge, float texelEdge)
+SHARED float photonFlux(float cosine, float ior, float cellSize, float texelSize)
 {
-    return (1.0 - fresnelExact(cosine, 1.0 / ior)) * photonFraction(cellEdge, texelEdge);
+    return (1.0 - fresnelExact(cosine, 1.0 / ior)) * photonFraction(cellSize, texelSize);
 }
 
 // --- It travels --------------------------------------------------------------------------------------------------
@@ -86,12 +86,12 @@ SHARED float causticsFilterWeight(int radius, int offset)
 // Fraction of the map in the light at a point of the plane; the rest is that of flat water. 0 beside the map and beside the
 // water's rectangle, where there are no waves and so no photons; 1 further inside than the border.
 // mapRect, waterRect: centre and half extent, x and z; border: its width, no less than two texels.
-SHARED float causticsFade(vec2 plane, vec4 mapRect, vec4 waterRect, float border, float texelEdge)
+SHARED float causticsFade(vec2 plane, vec4 mapRect, vec4 waterRect, float border, float texelSize)
 {
     vec2 toMapEdge = vec2(mapRect.z, mapRect.w) - abs(plane - vec2(mapRect.x, mapRect.y));
     vec2 toWaterEdge = vec2(waterRect.z, waterRect.w) - abs(plane - vec2(waterRect.x, waterRect.y));
     vec2 toEdge = min(toMapEdge, toWaterEdge);
-    return clamp(min(toEdge.x, toEdge.y) / max(border, 2.0 * texelEdge), 0.0, 1.0);
+    return clamp(min(toEdge.x, toEdge.y) / max(border, 2.0 * texelSize), 0.0, 1.0);
 }
 
 // Irradiance on a surface that faces the refracted sun, from the map's value there. The map compares level areas: the

@@ -24,7 +24,7 @@ SHARED bool fxaaIsEdge(float darkest, float brightest)
     return brightest - darkest >= max(fxaaLeastContrast, fxaaRelativeContrast * brightest);
 }
 
-// How much a pixel stands out from its neighbours, as the distance to look towards them, texels: 0 on an edge of two even
+// How much a pixel stands out from its neighbours, as an offset of its sample towards them, texels: 0 on an edge of two even
 // sides, up to fxaaSubpixelStrength for a lone pixel.
 // sides, corners: sums of four   range: between the darkest and the brightest of the pixel and its sides
 SHARED float fxaaSubpixelShift(float here, float sides, float corners, float range)
@@ -45,7 +45,7 @@ SHARED bool fxaaRunsAcross(vec3 above, vec3 middle, vec3 below)
     return across >= up;
 }
 
-// How far over the edge to look, texels: a half at the end of its run, nothing in the middle. Only the pixels on the
+// Offset of the sample across the edge, texels: a half at the end of its run, nothing in the middle. Only the pixels on the
 // side that the step at the nearer end cuts into are moved.
 // back, on: distances to the ends of the run, texels   isCut: the nearer end is such a step
 SHARED float fxaaEdgeShift(float back, float on, bool isCut)

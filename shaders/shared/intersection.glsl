@@ -4,14 +4,14 @@
 // R the unit refracted direction, p the line U + s R. W is a point of p; A is the point of the bed that the camera
 // sees behind (or in front of) W: A = W · zA / W.z, zA the view-space z of the depth picture at W's pixel.
 //
-//     IntersectionState s = intersectionBegin(U, R, seenThrough(U, zA at U));  // the first look; s.W is W1
+//     IntersectionState s = intersectionBegin(U, R, depthSample(U, zA at U)); // the first sample; s.W is W1
 //     for (int i = 1; i < steps; ++i)
-//         s = intersectionStep(s, zA at the pixel of s.W);                     // one look each; s.W is the next
+//         s = intersectionStep(s, zA at the pixel of s.W);                    // one sample each; s.W is the next
 //     use s.best (its pixel's colour), s.bestA (|bestA - U| is eq. 4's path), s.bestDistance
 //
-// The count is the paper's: n steps look n times, at W0 = U, W1, ... W(n-1), and the W with the least |A - W| wins.
-// s.W is the one that a further step would have tried. Nothing is printed of it, and the thesis' cameras leave it; but it
-// is as good as a look for nothing, and intersectionEnd takes it where a camera is ours.
+// The count is the paper's: n steps take n depth samples, at W0 = U, W1, ... W(n-1), and the W with the least |A - W| wins.
+// s.W is the one that a further step would have sampled. The thesis says nothing of it, and its cameras ignore it here too;
+// but it costs no sample, and with a camera of our own intersectionEnd takes it.
 //
 // Differences from the text (its eq. 3 is right; what follows are the listings of 7.1 and 9.1):
 // - 7.1 calls RayIntersec(W_i, U, A_{i+1} - A_i, R). Its first line then starts at W_i, a point of p, and runs along
@@ -24,7 +24,7 @@
 //   test is exactly whether s lies between those of W_{i-1} and W_i. What is asked here is what that is for: that
 //   the new s lies between the furthest W known in front of the bed and the nearest known behind it. It admits
 //   extrapolation while both tries are on one side, which a smooth bed needs to converge fast.
-// - The step that replaces a rejected intersection, W_i ± |A_{i+1} - W_i| R, has no bound: seen at a grazing angle,
+// - The step that replaces a rejected intersection, W_i ± |A_{i+1} - W_i| R, has no bound: at a grazing angle,
 //   |A - W| is many times the distance to go, and it leaps ever further. Here it stays inside the same interval, and
 //   halves it where it would leave.
 // - 9.1 takes that step along refrvec, which is in the main camera's space; it must be R1, in the refraction camera's.
@@ -39,9 +39,9 @@
 struct IntersectionState {
     vec3 U;
     vec3 R;
-    vec3 W;             // the next point to look at
+    vec3 W;             // the next point to sample
     float s;            // W = U + s R
-    vec3 A;             // what the last look saw
+    vec3 A;             // the last sample
     float inFront;      // s of the furthest W known in front of the bed
     float behind;       // s of the nearest W known behind it, or the end of the search
     vec3 best;          // the W with the least |A - W| so far
@@ -66,8 +66,8 @@ SHARED vec3 closestOnRay(vec3 origin, vec3 dir, vec3 lineA, vec3 lineDir)
     return origin + max(distanceAlongRay(origin, dir, lineA, lineDir), 0.0) * dir;
 }
 
-// The point A that the camera sees at W's pixel. viewZ: negative, from the depth picture.
-SHARED vec3 seenThrough(vec3 W, float viewZ)
+// The point A that the depth buffer holds at W's pixel. viewZ: negative, from the depth picture.
+SHARED vec3 depthSample(vec3 W, float viewZ)
 {
     return W * (viewZ / W.z);
 }
@@ -103,7 +103,7 @@ SHARED IntersectionState intersectionBegin(vec3 U, vec3 R, vec3 A1)
     return state;
 }
 
-// In place of the planar approximation, a second place to look at that is known some other way: `s` along p.
+// Replaces the planar approximation by a point that is known from elsewhere: `s` along p.
 SHARED IntersectionState intersectionGuess(IntersectionState begun, float s)
 {
     IntersectionState state = begun;
@@ -112,8 +112,8 @@ SHARED IntersectionState intersectionGuess(IntersectionState begun, float s)
     return state;
 }
 
-// A: what is seen at last.W, along the camera's ray through it, whatever the projection.
-SHARED IntersectionState intersectionStepSeen(IntersectionState last, vec3 A)
+// A: the point that the camera sees along its ray through last.W, whatever the projection.
+SHARED IntersectionState intersectionStepSampled(IntersectionState last, vec3 A)
 {
     IntersectionState state = last;
     float gap = length(A - last.W);
@@ -145,12 +145,12 @@ SHARED IntersectionState intersectionStepSeen(IntersectionState last, vec3 A)
 // The step for a perspective camera, from the view-space z of the depth picture at last.W's pixel.
 SHARED IntersectionState intersectionStep(IntersectionState last, float viewZ)
 {
-    return intersectionStepSeen(last, seenThrough(last.W, viewZ));
+    return intersectionStepSampled(last, depthSample(last.W, viewZ));
 }
 
-// After the last look: what a further step would have tried becomes the best where it continues the best, that is, where
-// the bed's line has met p within twice of what was left to go. What is further off is the line across some edge. After a
-// single look this is the planar approximation.
+// After the last sample: the point that a further step would have sampled becomes the best if it continues the best, that
+// is, if the bed's line has met p within twice the remaining gap. One that is further off lies on a line across some edge.
+// After a single sample this is the planar approximation.
 SHARED IntersectionState intersectionEnd(IntersectionState last)
 {
     IntersectionState state = last;

@@ -44,9 +44,9 @@ SHARED vec3 skyIrradianceBelow(vec3 skyUp)
     return diffuseTransmittance * skyUp;
 }
 
-// Irradiance of the sky on a surface `depth` metres under the level. skyBelow: skyIrradianceBelow.
-// An approximation: diffuse light falls off along its mean path, and a tilted surface sees its share of a uniform
-// bright upper and a dark lower hemisphere.
+// Irradiance of the sky on a surface `depth` metres under the water level. skyBelow: skyIrradianceBelow.
+// An approximation: diffuse light falls off along its mean path, and a tilted surface sees a part of the bright
+// upper hemisphere and of the dark lower one.
 SHARED vec3 skyIrradianceAtDepth(vec3 skyBelow, vec3 absorption, float depth, vec3 n)
 {
     return skyBelow * beerLambert(absorption, skyPathFactor * depth) * (0.5 + 0.5 * n.y);
@@ -155,7 +155,7 @@ SHARED vec3 sunGlint(vec3 irradiance, float fresnel, vec3 normal, vec3 toEye, ve
 // Not on the honest scale. Lipp's light has a colour of the screen's 0..1, where 1 is what a white wall in the light
 // shows; here that is the radiance of a white diffuse surface that faces the sun, irradiance / pi. The lobe keeps no
 // energy: a larger exponent makes it narrower and not brighter, and the width has nothing to do with the waves.
-// fresnel: what the surface mirrors of all it mirrors; normal: of the waves, unsteepened; exponent: > 0.
+// fresnel: reflectance of the surface; normal: of the waves, unsteepened; exponent: > 0.
 SHARED vec3 phongGlint(vec3 irradiance, float fresnel, vec3 normal, vec3 toEye, vec3 toSun, float exponent, float strength)
 {
     if (dot(normal, toSun) <= 0.0) return vec3(0.0);

@@ -5,8 +5,8 @@
 // layers' normals are averaged, then made steeper by making y smaller.
 //
 // What differs from the listing: it makes the surface of the map alone, here the map's slope is added to that of the
-// waves, as the heights of two surfaces add. And where the listing's bump factor is 0, a level place has no normal at
-// all; here slopes end at 50.
+// waves, as the heights of two surfaces add. And where the listing's bump factor is 0, a level surface has no normal at
+// all; here slopes are limited to 50.
 
 // A layer's normal from its colour.
 SHARED vec3 normalMapNormal(vec3 colour)
@@ -24,7 +24,7 @@ SHARED vec2 normalMapSlope(vec3 sum, float bump)
 
 // Variance of the slope, per axis, that averaging over texels has taken away from one layer.
 // texel: mean of the normals, and in w that of half the slopes' squares.
-SHARED float normalMapLostVariance(vec4 texel)
+SHARED float normalMapFilteredVariance(vec4 texel)
 {
     vec2 slope = normalMapSlope(vec3(texel), 1.0);
     return max(texel.w - 0.5 * dot(slope, slope), 0.0);

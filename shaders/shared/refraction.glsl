@@ -6,11 +6,11 @@
 // - Its shaders use the ratio 0.75 (n = 1.333) where the text says n = 1.33. Here the index of refraction is always
 //   a parameter, and the ratio n1/n2 is computed from it.
 // - Its listing in section 9.1 mixes `newrefrcol + F * (newreflcol - refrcol)`; equation 9 has the attenuated colour
-//   in both places, and only that conserves energy: mix(newrefrcol, reflcol, F).
+//   in both terms, and only that conserves energy: mix(newrefrcol, reflcol, F).
 // - Equation 11 (the test for total internal reflection) lacks a square: 1 - n²(1 - (N·E)²) < 0.
 
 // The refracted direction (Mihálik 2008, eq. 2; the vector form of Snell's law).
-// incident: unit, the way the light goes; normal: unit, on the side that the ray comes from; eta: n1 / n2.
+// incident: unit, the direction in which the light travels; normal: unit, on the side that the ray comes from; eta: n1 / n2.
 // vec3(0) under total internal reflection.
 SHARED vec3 refractRay(vec3 incident, vec3 normal, float eta)
 {
@@ -59,15 +59,15 @@ SHARED float fresnelSchlick(float cosTheta, float ior, float q)
     return f + (1.0 - f) * pow(1.0 - clamp(cosTheta, 0.0, 1.0), q);
 }
 
-// The share of radiance that a path of `metres` in the water lets through (Mihálik 2008, eq. 4, per channel).
+// The fraction of radiance that a path of `metres` in the water transmits (Mihálik 2008, eq. 4, per channel).
 // absorption: 1/m. A path that comes out negative from rounding counts as none.
 SHARED vec3 beerLambert(vec3 absorption, float metres)
 {
     return exp(-absorption * max(metres, 0.0));
 }
 
-// The same after Lipp's shader documentation, section 2: less in proportion to the path, alike for all colours, and none
-// from `fade` metres on. fade: > 0.
+// Lipp's attenuation (shader documentation, section 2): transmittance falls in proportion to the path, alike for all
+// colours, to none at `fade` metres. fade: > 0.
 SHARED float linearAttenuation(float metres, float fade)
 {
     return 1.0 - clamp(metres / fade, 0.0, 1.0);
@@ -89,7 +89,7 @@ SHARED float radianceThroughSurface(float transmittance, float ior)
 
 // --- What an eye over flat water sees ------------------------------------------------------------------------------
 
-// How far a ray from the eye to a point under flat water goes sideways in the water.
+// Horizontal distance that a ray from the eye to a point under flat water covers in the water.
 // eyeHeight: h over the surface; depth: d under it; across: r, horizontal; m.
 //
 // With u the tangent of the ray's angle in the air, Snell's law makes it h u + d u / sqrt(n² + (n² - 1) u²) = r. The left
@@ -109,13 +109,13 @@ SHARED float flatSidestep(float eyeHeight, float depth, float across, float ior)
     return depth * u / sqrt(ior * ior + excess * u * u);
 }
 
-// Where a point under flat water seems to be: in the direction that its light comes from, as far away as the light has
-// come. What is hidden stays hidden, since all of a bent ray becomes one straight line with its order kept. Points that
-// are not under water stay. World space; the eye must be above the level.
-SHARED vec3 flatApparent(vec3 eye, vec3 point, float level, float ior)
+// The apparent position of a point under flat water: in the direction from which its light reaches the eye, at the distance
+// that the light has travelled. Occlusion is preserved, since a bent ray becomes one straight line with the order of its
+// points kept. Points above the water keep their position. World space; the eye must be above the water level.
+SHARED vec3 flatApparent(vec3 eye, vec3 point, float waterLevel, float ior)
 {
-    float depth = level - point.y;
-    float eyeHeight = max(eye.y - level, 1.0e-3);
+    float depth = waterLevel - point.y;
+    float eyeHeight = max(eye.y - waterLevel, 1.0e-3);
     if (depth <= 0.0) return point;
     vec2 away = vec2(point.x - eye.x, point.z - eye.z);
     float across = length(away);
@@ -128,14 +128,14 @@ SHARED vec3 flatApparent(vec3 eye, vec3 point, float level, float ior)
     return eye + toSurface * ((inAir + inWater) / inAir);
 }
 
-// The inverse: the point that seems to be at `seen`.
-SHARED vec3 flatTrue(vec3 eye, vec3 seen, float level, float ior)
+// The inverse: the point whose apparent position is this.
+SHARED vec3 flatTrue(vec3 eye, vec3 apparent, float waterLevel, float ior)
 {
-    if (seen.y >= level) return seen;
-    float eyeHeight = max(eye.y - level, 1.0e-3);
-    vec3 way = seen - eye;
-    float far = length(way);
-    vec3 direction = way / far;
+    if (apparent.y >= waterLevel) return apparent;
+    float eyeHeight = max(eye.y - waterLevel, 1.0e-3);
+    vec3 toApparent = apparent - eye;
+    float far = length(toApparent);
+    vec3 direction = toApparent / far;
     float inAir = eyeHeight / max(-direction.y, 1.0e-7);
     vec3 bent = refractRay(direction, vec3(0.0, 1.0, 0.0), 1.0 / ior);
     return eye + inAir * direction + max(far - inAir, 0.0) * bent;

@@ -1,23 +1,23 @@
-// Where the sun's light meets the water's level: the coordinates of the shadow maps and the caustics texture.
+// The coordinates of the shadow maps and the caustics map: where the sun's light crosses the plane of the water level.
 //
-// A point is looked up where the light that reaches it crosses the plane of the water at rest: above the water along
-// the sun's direction, below it along the refracted one. Both are parallel projections onto the level plane, so that a
-// texel is an area of that plane whatever the sun's elevation, light that enters at a place of the plane keeps its
-// coordinates all the way down, and one coordinate finds both a point's shadow from the air and that from the water.
+// A point is projected onto that plane along the light that reaches it: above the water along the sun's direction, below it
+// along the refracted one. Both are parallel projections onto a level plane, so that a texel is an area of that plane whatever
+// the sun's elevation, light keeps its coordinates from where it enters all the way down, and one coordinate finds both a
+// point's shadow from the air and that from the water.
 //
-// World space, y up, m. toSun: unit, towards the sun in the point's medium (refractedSunDirection below the level).
+// World space, y up, m. toSun: unit, towards the sun in the point's medium (refractedSunDirection below the water level).
 
-// How far light moves sideways, x and z, for each metre that it rises. Straight up there is none; a sun on the horizon
-// has no crossing and must not be asked for.
+// The shear of light along x and z: metres sideways for each metre that it rises. 0 for a sun in the zenith; a sun on the
+// horizon has none.
 SHARED vec2 sunShear(vec3 toSun)
 {
     return vec2(toSun.x, toSun.z) / toSun.y;
 }
 
-// x and z at which the light through a point crosses the level.
-SHARED vec2 sunPlane(vec3 point, float level, vec2 shear)
+// x and z at which the light through a point crosses the water level.
+SHARED vec2 sunPlane(vec3 point, float waterLevel, vec2 shear)
 {
-    return vec2(point.x, point.z) - shear * (point.y - level);
+    return vec2(point.x, point.z) - shear * (point.y - waterLevel);
 }
 
 // How the height of a flat surface changes per metre of the plane's coordinates, x and z. On the plane with normal n

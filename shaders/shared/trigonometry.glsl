@@ -1,7 +1,7 @@
 // Sine and cosine of one angle together.
 //
 // Where waves are summed in every pixel, a sine and a cosine of the same angle are most of the work. A driver works each out
-// on its own, with its own reduction of the range; together they share it, and half the angle needs short polynomials.
+// on its own, with its own reduction of the range; together they need one, and half the angle needs short polynomials only.
 
 // Sine and cosine of an angle in radians, each within 7e-7 within a turn; of larger ones the reduction takes digits, about
 // 8e-8 of the angle, as the rounding of the angle itself does.

@@ -66,14 +66,14 @@ SHARED float edgeWeight(EdgeWindow window, vec2 offset)
     return (1.5625 * base * base - 0.5625) * (cut * cut);
 }
 
-// The four texels about a pixel (c, by x and y), and the eight that share an edge with one of them.
+// The four texels about a pixel (c, by x and y), and their eight nearest neighbours.
 struct UpscaleTexels {
     vec3 c00, c10, c01, c11;
     vec3 below0, below1, above0, above1; // of c00 and c10, of c01 and c11
     vec3 left0, left1, right0, right1;   // of c00 and c01, of c10 and c11
 };
 
-// Weights of the four texels in the order of their names. fraction: where the pixel lies between them, 0 to 1
+// Weights of the four texels in the order of their names. fraction: position of the pixel between them, 0 to 1
 SHARED vec4 bilinearWeights(vec2 fraction)
 {
     vec2 rest = vec2(1.0) - fraction;
@@ -97,7 +97,7 @@ SHARED vec3 edgeAmong(UpscaleTexels t, vec2 fraction)
            w.w * edgeAt(l11, l01, upscaleLuma(t.right1), l10, upscaleLuma(t.above1));
 }
 
-// Weighted texels: colours and weights, and their mean place relative to the pixel.
+// Weighted texels: colours and weights, and their mean position relative to the pixel.
 struct UpscaleSum {
     vec4 colours;
     vec2 offsets;
@@ -111,7 +111,7 @@ SHARED UpscaleSum withTexel(UpscaleSum sum, EdgeWindow window, vec3 colour, vec2
     return sum;
 }
 
-// The published filter is exact for a constant; the last term makes it so for what is linear, too: where the mean place of
+// The published filter is exact for a constant; the last term makes it so for what is linear, too: where the mean position of
 // the texels is not the pixel, the colour is taken back by as much as it changes over that distance.
 SHARED vec3 edgeUpscaled(UpscaleTexels t, vec2 fraction)
 {
@@ -132,10 +132,10 @@ SHARED vec3 edgeUpscaled(UpscaleTexels t, vec2 fraction)
     sum = withTexel(sum, window, t.right1, to + vec2(2.0, 1.0));
     sum = withTexel(sum, window, t.above0, to + vec2(0.0, 2.0));
     sum = withTexel(sum, window, t.above1, to + vec2(1.0, 2.0));
-    vec2 beside = sum.offsets / sum.colours.w;
+    vec2 meanOffset = sum.offsets / sum.colours.w;
     vec3 right = mix(t.c10 - t.c00, t.c11 - t.c01, fraction.y);
     vec3 up = mix(t.c01 - t.c00, t.c11 - t.c10, fraction.x);
-    vec3 colour = vec3(sum.colours) / sum.colours.w - beside.x * right - beside.y * up;
+    vec3 colour = vec3(sum.colours) / sum.colours.w - meanOffset.x * right - meanOffset.y * up;
     vec3 darkest = min(min(t.c00, t.c10), min(t.c01, t.c11));
     vec3 lightest = max(max(t.c00, t.c10), max(t.c01, t.c11));
     return clamp(colour, darkest, lightest);

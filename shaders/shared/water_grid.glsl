@@ -1,10 +1,10 @@
-// The grid that draws the water: where its vertices stand, and the surface that its triangles make.
+// The grid that draws the water: the positions of its vertices, and the surface that its triangles make.
 //
 // Needs blocks.glsl (GridAxis, WaveTerm) and waves.glsl. Lines of vertices along x and z cross, so that the grid covers
-// its rectangle without gaps whatever their distances. On a focused axis line i stands at
+// its rectangle without gaps whatever their distances. On a focused axis the position of line i is
 //     centre + scale · sinh(u), u even between `from` and `to` over the lines 1 to vertices - 2:
 // about `scale` / (lines per unit of u) apart near the eye and in proportion to the distance far from it, which is how
-// perspective shrinks what they draw. The first and the last line stand on the rectangle's ends, beside the view.
+// perspective shrinks what they draw. The first and the last line are the rectangle's ends, outside the view.
 // Metres, seconds, radians.
 
 SHARED float gridSinh(float u) { return 0.5 * (exp(u) - exp(-u)); }
@@ -25,7 +25,7 @@ SHARED float gridParameter(GridAxis axis, float line)
     return mix(axis.from, axis.to, clamp((line - 1.0) / inner, 0.0, 1.0));
 }
 
-// Where a line stands, m; lines count from 0.
+// Position of a line, m; lines count from 0.
 SHARED float gridPosition(GridAxis axis, float line)
 {
     float last = axis.vertices - 1.0;
@@ -44,7 +44,7 @@ SHARED float gridCell(GridAxis axis, float line)
     return axis.scale * gridCosh(gridParameter(axis, line)) * step;
 }
 
-// The line at a position, with the way to the next as its fraction: gridPosition's inverse. 0 to vertices - 1.
+// The line at a position, with the part of the cell beyond it as its fraction: gridPosition's inverse. 0 to vertices - 1.
 SHARED float gridLine(GridAxis axis, float position)
 {
     float last = axis.vertices - 1.0;
@@ -67,9 +67,9 @@ SHARED float gridLine(GridAxis axis, float position)
     return clamp(line, 0.0, last);
 }
 
-// What is left of a wave at a vertex whose neighbours stand `cell` metres away: all of it down to four cells a wave,
-// nothing from one and a half on. Between two and one the triangles are further from such a wave than flat ones, and what
-// they make of it jumps about as the vertices follow the eye.
+// The weight of a wave at a vertex whose neighbours are `cell` metres away: 1 with four cells or more to a wavelength, 0 with
+// one and a half or fewer. With two to one the triangles approximate such a wave worse than flat ones do, and they jump as the
+// vertices follow the eye.
 SHARED float gridFade(WaveTerm w, vec2 cell)
 {
     float advance = length(w.k * cell); // radians from vertex to vertex
@@ -111,8 +111,8 @@ SHARED float gridTriangleHeight(WaveTerm w, GridTriangle g, float t)
     return corner + g.weight.x * (alongX - corner) + g.weight.y * (alongZ - corner);
 }
 
-// Height of the surface as it is drawn: the triangulation is that of src/render/water_grid.cpp. x lies in the rectangle
-// or is taken at its edge.
+// Height of the surface as it is drawn: the triangulation is that of src/render/water_grid.cpp. x is clamped to the
+// rectangle.
 SHARED float gridHeight(WAVE_ARRAY vec2 x, float t, GridAxis axisX, GridAxis axisZ)
 {
     vec2 line = vec2(min(floor(gridLine(axisX, x.x)), axisX.vertices - 2.0),

@@ -77,7 +77,7 @@ dvec3 TargetPicture::search(const dvec3& U, const dvec3& direction, int steps, b
                 hit = optics64::planarIntersection(u, r, a);
             } else {
                 auto state = optics64::intersectionBegin(u, r, a);
-                for (int i = 1; i < steps; ++i) state = optics64::intersectionStepSeen(state, seen(state.W));
+                for (int i = 1; i < steps; ++i) state = optics64::intersectionStepSampled(state, seen(state.W));
                 state = optics64::intersectionEnd(state);
                 hit = state.best;
                 a = state.bestA;
@@ -90,7 +90,7 @@ dvec3 TargetPicture::search(const dvec3& U, const dvec3& direction, int steps, b
     u.z = std::min(u.z, -1.0e-3);
     const dvec3 r = glm::normalize(dmat3(camera_.viewFromWorld) * direction);
     const auto depthAt = [&](const dvec3& w) { return inView(seenAt(inWorld(w)).point).z; };
-    const dvec3 first = optics64::seenThrough(u, depthAt(u));
+    const dvec3 first = optics64::depthSample(u, depthAt(u));
     auto state = optics64::intersectionBegin(u, r, first);
     if (planar) {
         state.best = optics64::planarIntersection(u, r, first);
@@ -111,12 +111,12 @@ dvec3 TargetPicture::searchMirrored(const dvec3& U, const dvec3& direction, int 
     auto choice = optics64::mirrorBegin(u, r, rotation * dvec3(0.0, 1.0, 0.0));
     const auto look = [&](const dvec3& w) {
         const Seen seen = seenAt(inWorld(w));
-        const dvec3 shown = optics64::seenThrough(w, inView(seen.point).z);
+        const dvec3 shown = optics64::depthSample(w, inView(seen.point).z);
         choice = optics64::mirrorConsider(choice, w, shown, !seen.hit);
         return shown;
     };
     auto state = optics64::intersectionBegin(u, r, look(u));
-    for (int i = 1; i < steps; ++i) state = optics64::intersectionStepSeen(state, look(state.W));
+    for (int i = 1; i < steps; ++i) state = optics64::intersectionStepSampled(state, look(state.W));
     return inWorld(optics64::mirrorChosen(choice));
 }
 

@@ -386,10 +386,11 @@ TEST_F(OpticsGl, NormalMap)
          },
          1e-5f},
         {"normalMapSlopeVariance",
-         "vec4(normalMapLostVariance(vec4(a.x, a.y + 0.2, a.z, 40.0 * b.w)), normalMapSlopeVariance(b.w, c.w), 0.0, "
+         "vec4(normalMapFilteredVariance(vec4(a.x, a.y + 0.2, a.z, 40.0 * b.w)), normalMapSlopeVariance(b.w, c.w), "
+         "0.0, "
          "0.0)",
          [](const Inputs& i) {
-             return vec4(normalMapLostVariance(vec4(i.a.x, i.a.y + 0.2f, i.a.z, 40.0f * i.b.w)),
+             return vec4(normalMapFilteredVariance(vec4(i.a.x, i.a.y + 0.2f, i.a.z, 40.0f * i.b.w)),
                          normalMapSlopeVariance(i.b.w, i.c.w), 0.0f, 0.0f);
          },
          1e-5f},
@@ -476,10 +477,10 @@ TEST_F(OpticsGl, Intersection)
     auto r = [](const Inputs& i) { return glm::normalize(vec3(i.b.x, -0.2f - i.b.y, -0.5f * i.b.w)); };
     const std::string uG = "vec3(a.x, a.y - 1.0, -3.0 - 4.0 * a.w)",
                       rG = "normalize(vec3(b.x, -0.2 - b.y, -0.5 * b.w))";
-    const std::string begin = "intersectionBegin(" + uG + ", " + rG + ", seenThrough(" + uG + ", -8.0 - c.w))";
+    const std::string begin = "intersectionBegin(" + uG + ", " + rG + ", depthSample(" + uG + ", -8.0 - c.w))";
     const std::string step = "intersectionStep(" + begin + ", -7.0 - c.w)";
     auto second = [u, r](const Inputs& i) {
-        return intersectionStep(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f - i.c.w)), -7.0f - i.c.w);
+        return intersectionStep(intersectionBegin(u(i), r(i), depthSample(u(i), -8.0f - i.c.w)), -7.0f - i.c.w);
     };
     const std::string guess = "intersectionGuess(" + begin + ", 4.0 * c.x - 0.5)";
     const std::string guessed = "vec4(" + guess + ".W, " + guess + ".s)";
@@ -489,30 +490,30 @@ TEST_F(OpticsGl, Intersection)
     const std::string ended = "vec4(" + end + ".best, length(" + end + ".bestA - " + end + ".best))";
     const std::string best = "vec4(" + step + ".best, " + step + ".bestDistance)";
     auto leapt = [u, r](const Inputs& i) {
-        return intersectionStep(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f)), -60.0f - i.c.w);
+        return intersectionStep(intersectionBegin(u(i), r(i), depthSample(u(i), -8.0f)), -60.0f - i.c.w);
     };
     const std::string leaptG =
-        "intersectionStep(intersectionBegin(" + uG + ", " + rG + ", seenThrough(" + uG + ", -8.0)), -60.0 - c.w)";
+        "intersectionStep(intersectionBegin(" + uG + ", " + rG + ", depthSample(" + uG + ", -8.0)), -60.0 - c.w)";
     const std::string leap = "vec4(" + leaptG + ".W, " + leaptG + ".s)";
     // Twice something close to the eye, behind which W lies.
     auto near = [u, r](const Inputs& i) {
-        const auto begun = intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f));
+        const auto begun = intersectionBegin(u(i), r(i), depthSample(u(i), -8.0f));
         return intersectionStep(intersectionStep(begun, -2.0f), -0.2f - 0.1f * i.c.w);
     };
     const std::string halvedG = "intersectionStep(intersectionStep(intersectionBegin(" + uG + ", " + rG +
-                                ", seenThrough(" + uG + ", -8.0)), -2.0), -0.2 - 0.1 * c.w)";
+                                ", depthSample(" + uG + ", -8.0)), -2.0), -0.2 - 0.1 * c.w)";
     const std::string halved = "vec4(" + halvedG + ".W, " + halvedG + ".s)";
-    const std::string planar = "vec4(planarIntersection(" + uG + ", " + rG + ", seenThrough(" + uG + ", -8.0)), 0.0)";
+    const std::string planar = "vec4(planarIntersection(" + uG + ", " + rG + ", depthSample(" + uG + ", -8.0)), 0.0)";
     const std::string nearest = "vec4(closestOnRay(" + uG + ", " + rG + ", 3.0 * c.xyz, a.xyz + 0.5), 0.0)";
     check({
         {"intersectionBegin", first.c_str(),
          [u, r](const Inputs& i) {
-             const auto s = intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f - i.c.w));
+             const auto s = intersectionBegin(u(i), r(i), depthSample(u(i), -8.0f - i.c.w));
              return wide(s.W, s.bestDistance);
          }},
         {"intersectionGuess", guessed.c_str(),
          [u, r](const Inputs& i) {
-             const auto s = intersectionGuess(intersectionBegin(u(i), r(i), seenThrough(u(i), -8.0f - i.c.w)),
+             const auto s = intersectionGuess(intersectionBegin(u(i), r(i), depthSample(u(i), -8.0f - i.c.w)),
                                               4.0f * i.c.x - 0.5f);
              return wide(s.W, s.s);
          }},
@@ -531,7 +532,7 @@ TEST_F(OpticsGl, Intersection)
         {"step by the gap", leap.c_str(), [leapt](const Inputs& i) { return wide(leapt(i).W, leapt(i).s); }, 1e-4f},
         {"half the interval", halved.c_str(), [near](const Inputs& i) { return wide(near(i).W, near(i).s); }, 1e-4f},
         {"planarIntersection", planar.c_str(),
-         [u, r](const Inputs& i) { return wide(planarIntersection(u(i), r(i), seenThrough(u(i), -8.0f))); }},
+         [u, r](const Inputs& i) { return wide(planarIntersection(u(i), r(i), depthSample(u(i), -8.0f))); }},
         {"closestOnRay", nearest.c_str(),
          [u, r](const Inputs& i) { return wide(closestOnRay(u(i), r(i), 3.0f * xyz(i.c), xyz(i.a) + 0.5f)); }, 1e-3f},
     });
@@ -555,13 +556,14 @@ TEST_F(OpticsGl, ChoiceOfTheMirroredPoint)
     const std::string far =
         "mirrorConsider(" + near + ", " + U + " + 2.0 * " + R + ", " + U + " + 900.0 * " + R + " + 1.0, true)";
     const std::string place = "vec4(mirrorChosen(" + far + "), 0.0)";
-    const std::string angles = "vec4(" + far + ".least, " + far + ".leastThing, mirrorMiss(" + far + "), 0.0)";
+    const std::string angles =
+        "vec4(" + far + ".leastMiss, " + far + ".leastGeometryMiss, mirrorMiss(" + far + "), 0.0)";
     check({
         {"mirrorChosen", place.c_str(), [chosen](const Inputs& i) { return wide(mirrorChosen(chosen(i))); }, 1e-5f},
         {"mirrorConsider", angles.c_str(),
          [chosen](const Inputs& i) {
              const auto choice = chosen(i);
-             return vec4(choice.least, choice.leastThing, mirrorMiss(choice), 0.0f);
+             return vec4(choice.leastMiss, choice.leastGeometryMiss, mirrorMiss(choice), 0.0f);
          },
          1e-5f},
     });

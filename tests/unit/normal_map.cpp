@@ -60,8 +60,8 @@ TEST(NormalMap, AveragedSlopesAreVariance)
 {
     const double s = 0.3;
     const dvec3 mean = 0.5 * (normalOf({s, 0.0}) + normalOf({-s, 0.0}));
-    EXPECT_NEAR(optics64::normalMapLostVariance(glm::dvec4(mean, 0.5 * s * s)), 0.5 * s * s, 1e-12);
-    EXPECT_NEAR(optics64::normalMapLostVariance(glm::dvec4(normalOf({s, 0.0}), 0.5 * s * s)), 0.0, 1e-12);
+    EXPECT_NEAR(optics64::normalMapFilteredVariance(glm::dvec4(mean, 0.5 * s * s)), 0.5 * s * s, 1e-12);
+    EXPECT_NEAR(optics64::normalMapFilteredVariance(glm::dvec4(normalOf({s, 0.0}), 0.5 * s * s)), 0.0, 1e-12);
     // The mean of four that do not know of each other has a quarter of the variance of one.
     EXPECT_NEAR(optics64::normalMapSlopeVariance(4.0 * 0.01, 1.0), 0.0025, 1e-12);
     EXPECT_NEAR(optics64::normalMapSlopeVariance(4.0 * 0.01, 0.5), 0.01, 1e-12);

@@ -141,7 +141,7 @@ Errors run(const Lake& lake, int depthSamples, bool takesLast = false)
             return viewer.directionV(direction).z * s;
         };
         const dvec3 u = viewer.pointV(point), r = viewer.directionV(refracted);
-        const dvec3 first = optics64::seenThrough(u, depth(u));
+        const dvec3 first = optics64::depthSample(u, depth(u));
         dvec3 w = optics64::planarIntersection(u, r, first);
         if (depthSamples > 0) {
             auto state = optics64::intersectionBegin(u, r, first);
@@ -208,7 +208,7 @@ TEST(LineIntersection, AsPrintedItNeverMoves)
 TEST(IntersectionSearch, BeginsWithThePlanarApproximation)
 {
     const dvec3 u(0.2, -1.0, -5.0), r = glm::normalize(dvec3(0.0, -1.0, -0.3));
-    const dvec3 a = optics64::seenThrough(u, -8.0);
+    const dvec3 a = optics64::depthSample(u, -8.0);
     EXPECT_NEAR(a.z, -8.0, 1e-15);
     EXPECT_LT(glm::length(glm::cross(a, u)), 1e-14); // on the line through the eye and U
     const auto state = optics64::intersectionBegin(u, r, a);
@@ -301,11 +301,11 @@ TEST(IntersectionSearch, DiscontinuitiesLeaveATail)
 TEST(IntersectionSearch, KeepsTheBest)
 {
     const dvec3 u(0.0, -1.0, -5.0), r = glm::normalize(dvec3(0.0, -1.0, -0.3));
-    auto state = optics64::intersectionBegin(u, r, optics64::seenThrough(u, -6.0));
+    auto state = optics64::intersectionBegin(u, r, optics64::depthSample(u, -6.0));
     double least = state.bestDistance;
     for (double z : {-9.0, -5.5, -30.0, -5.9, -7.0, -1.0, -6.2}) {
         const dvec3 w = state.W;
-        const double gap = glm::length(optics64::seenThrough(w, z) - w);
+        const double gap = glm::length(optics64::depthSample(w, z) - w);
         state = optics64::intersectionStep(state, z);
         least = std::min(least, gap);
         EXPECT_EQ(state.bestDistance, least);
@@ -320,7 +320,7 @@ TEST(IntersectionSearch, WStaysInFrontOfTheCamera)
 {
     const vec3 u(0.0f, -0.5f, -2.0f), r = glm::normalize(vec3(0.0f, -0.4f, 1.0f));
     for (float z : {-0.1f, -2.0f, -50.0f, -1.0e5f}) {
-        auto state = optics::intersectionBegin(u, r, optics::seenThrough(u, z));
+        auto state = optics::intersectionBegin(u, r, optics::depthSample(u, z));
         for (int i = 0; i < 12; ++i) {
             ASSERT_LT(state.W.z, 0.0f) << z << ' ' << i;
             ASSERT_TRUE(std::isfinite(state.W.y));
@@ -334,9 +334,9 @@ TEST(IntersectionSearch, WStaysInFrontOfTheCamera)
 TEST(IntersectionSearch, RayAlongTheViewDirection)
 {
     const vec3 u(0.0f, -1.0f, -3.0f), r = glm::normalize(u);
-    auto state = optics::intersectionBegin(u, r, optics::seenThrough(u, -7.0f));
+    auto state = optics::intersectionBegin(u, r, optics::depthSample(u, -7.0f));
     for (int i = 0; i < 8; ++i) state = optics::intersectionStep(state, -7.0f);
-    EXPECT_LT(glm::length(state.best - optics::seenThrough(u, -7.0f)), 1e-5f);
+    EXPECT_LT(glm::length(state.best - optics::depthSample(u, -7.0f)), 1e-5f);
 }
 
 // A tree in front of the sky: the ray passes over it, or through it, and the nearest in angle is right.
@@ -364,11 +364,11 @@ TEST(MirrorChoice, TakesNoSkyBelowWhatStandsHigher)
     auto choice = optics64::mirrorBegin(u, r, up);
     choice = optics64::mirrorConsider(choice, dvec3(1.0, 0.0, -6.0), crown, false);
     choice = optics64::mirrorConsider(choice, dvec3(2.0, 0.0, -6.0), beside, true);
-    EXPECT_LT(choice.least, choice.leastThing);
+    EXPECT_LT(choice.leastMiss, choice.leastGeometryMiss);
     EXPECT_EQ(optics64::mirrorChosen(choice).x, 1.0);
-    EXPECT_EQ(optics64::mirrorMiss(choice), choice.leastThing);
+    EXPECT_EQ(optics64::mirrorMiss(choice), choice.leastGeometryMiss);
     const auto open = optics64::mirrorConsider(optics64::mirrorBegin(u, r, up), dvec3(2.0, 0.0, -6.0), beside, true);
-    EXPECT_EQ(optics64::mirrorMiss(open), open.least);
+    EXPECT_EQ(optics64::mirrorMiss(open), open.leastMiss);
 }
 
 // A guess beside the hit is as good a start as the plane: the next look ends there.
@@ -382,7 +382,7 @@ TEST(Intersection, BeginsAtAGuess)
     auto state = optics64::intersectionGuess(begun, truth + 0.3);
     EXPECT_DOUBLE_EQ(state.s, truth + 0.3);
     EXPECT_LT(glm::distance(state.W, u + (truth + 0.3) * r), 1e-12);
-    state = optics64::intersectionStepSeen(state, seen(state.W));
+    state = optics64::intersectionStepSampled(state, seen(state.W));
     EXPECT_NEAR(state.s, truth, 1e-9);
     EXPECT_EQ(optics64::intersectionGuess(begun, -1.0).s, 0.0);
     const dvec3 upwards = glm::normalize(dvec3(0.1, 0.5, 0.8)); // comes back to the eye's plane

@@ -114,7 +114,7 @@ TEST(FloatAgainstDouble, IntersectionSearch)
             const dvec3 truth = u + r * ((h - glm::dot(u, down)) / glm::dot(r, down));
 
             const vec3 uF(u), rF(r);
-            auto state = optics::intersectionBegin(uF, rF, optics::seenThrough(uF, static_cast<float>(bedZ(u))));
+            auto state = optics::intersectionBegin(uF, rF, optics::depthSample(uF, static_cast<float>(bedZ(u))));
             for (int step = 1; step < 8; ++step) {
                 if (glm::dot(dvec3(state.W), down) <= 0.0) break; // over the bed's horizon
                 state = optics::intersectionStep(state, static_cast<float>(bedZ(dvec3(state.W))));

@@ -139,7 +139,7 @@ void WaterPass::draw(const gl::Target& frame, WaterGrid& grid, const Options& op
         p.set("refractionViewFromWorld", view.viewFromWorld);
         p.set("refractionClipFromView", view.clipFromView);
         p.texture("refractionDepth", inputs.refraction->depth());
-        if (view.flatWater) p.texture("refractionShown", inputs.refraction->colour(1));
+        if (view.flatWater) p.texture("refractionPosition", inputs.refraction->colour(1));
         p.set("worldFromRefractionView", glm::inverse(view.viewFromWorld));
         p.set("refractionNearFar", vec2(view.nearPlane, view.farPlane));
     }
