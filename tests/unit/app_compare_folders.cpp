@@ -51,8 +51,8 @@ protected:
         }
         printed_ = testing::internal::GetCapturedStdout();
         std::map<std::string, std::string> all;
-        for (const auto& picture : nlohmann::json::parse(readFile(command_.json))["pictures"])
-            all[picture["name"]] = picture["result"];
+        const auto json = nlohmann::json::parse(readFile(command_.json));
+        for (const auto& picture : json["pictures"]) all[picture["name"]] = picture["result"];
         return all;
     }
     template <typename E> std::string refused() const
