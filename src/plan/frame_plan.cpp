@@ -15,8 +15,9 @@ namespace tarn {
 
 const char* passName(PassId pass)
 {
-    constexpr const char* names[passCount] = {"sunlight", "caustics", "heights", "refraction", "reflection",
-                                              "scene",    "water",    "glow",    "present"};
+    constexpr std::array names{"sunlight", "caustics", "heights", "refraction", "reflection",
+                               "scene",    "water",    "glow",    "present"};
+    static_assert(names.size() == passCount, "each pass has a name, in the order of PassId");
     return names[static_cast<std::size_t>(pass)];
 }
 

@@ -20,6 +20,21 @@ inline constexpr std::size_t passCount = 9;
 /// "refraction", "reflection", … as shown by the profiler, the HUD and `tarn explain`.
 const char* passName(PassId pass);
 
+/// What one pass leaves for another, on the graphics card.
+enum class Resource {
+    sunDepth,          ///< the scene's depth along the sun, layers of an array
+    caustics,          ///< irradiance relative to the sun's above the water
+    bedHeights,        ///< heights of the bed with its radiance
+    aboveWaterHeights, ///< underside and top of what stands over the water, with their radiance
+    refraction,        ///< colour and depth from the refraction's camera
+    reflection,        ///< colour and depth from the mirrored camera
+    sceneColour,       ///< linear radiance of the frame
+    sceneDepth,        ///< its depth
+    waterline,         ///< which side of the surface each pixel is on
+    glow,              ///< blurred highlights of the water
+    picture,           ///< as it is shown
+};
+
 struct PassPlan {
     bool wanted = false;
     std::string reason; ///< why, or why not, in words

@@ -10,23 +10,7 @@
 
 namespace tarn {
 
-/// What one pass leaves for another, on the graphics card.
-enum class Resource {
-    sunDepth,          ///< the scene's depth along the sun, layers of an array
-    caustics,          ///< irradiance relative to the sun's above the water
-    bedHeights,        ///< heights of the bed with its radiance
-    aboveWaterHeights, ///< underside and top of what stands over the water, with their radiance
-    refraction,        ///< colour and depth from the refraction's camera
-    reflection,        ///< colour and depth from the mirrored camera
-    sceneColour,       ///< linear radiance of the frame
-    sceneDepth,        ///< its depth
-    waterline,         ///< which side of the surface each pixel is on
-    glow,              ///< blurred highlights of the water
-    picture,           ///< as it is shown
-};
-inline constexpr std::size_t resourceCount = 11;
-
-/// A set of them.
+/// A set of resources.
 class Resources {
 public:
     constexpr Resources() = default;
@@ -57,7 +41,7 @@ struct PassInterface {
 /// Of a pass that the plan wants. Defined in renderer.cpp, which alone knows every pass.
 PassInterface interfaceOf(PassId pass, const FramePlan& plan);
 
-/// The passes whose output a wanted pass reads in the plan's frame, in their order.
+/// The passes before a wanted one whose output it reads in the plan's frame, in their order.
 std::vector<PassId> readBy(PassId pass, const FramePlan& plan);
 
 } // namespace tarn
