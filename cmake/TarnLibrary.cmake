@@ -1,8 +1,17 @@
-# tarn_library(NAME SOURCES ... [DEPENDS ...] [LINK ...])
+# tarn_library(NAME SOURCES ... [DEPENDS ...] [LINK ...] [COLD])
 #
 # One static library per folder of src/, each with an include root of its own: a library sees the headers of
 # the folders it names in DEPENDS (and theirs), and nothing else, so that an include against the grain of the
 # house does not compile. The include root is a folder that holds one link, NAME -> src/NAME.
+
+# COLD: nothing in the library is computed for every pixel, ray or vertex, and a release build optimises it with -O1, which takes
+# 60 % of the compile time of -O3. The same for single sources: tarn_cold(SOURCE...).
+
+function(tarn_cold)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -O1)
+  endif()
+endfunction()
 
 add_library(tarn_warnings INTERFACE)
 target_compile_options(tarn_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
@@ -19,11 +28,14 @@ if(TARN_SANITIZE)
 endif()
 
 function(tarn_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "SOURCES;DEPENDS;LINK" ${ARGN})
   set(root ${PROJECT_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${root})
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/src/${name} ${root}/${name} SYMBOLIC)
   add_library(tarn_${name} STATIC ${ARG_SOURCES})
+  if(ARG_COLD)
+    tarn_cold(${ARG_SOURCES})
+  endif()
   target_include_directories(tarn_${name} PUBLIC ${root})
   foreach(dependency ${ARG_DEPENDS})
     target_link_libraries(tarn_${name} PUBLIC tarn_${dependency})
