@@ -23,13 +23,13 @@ vec2 FresnelTable::at(float cosine) const
 {
     const int size = static_cast<int>(texels.size());
     const bool blends = filter == TableFilter::linear;
-    const float place =
+    const float coordinate =
         fresnelTableCoordinate(cosine, size, blends) * static_cast<float>(size) - (blends ? 0.5f : 0.0f);
-    const int first = std::clamp(static_cast<int>(std::floor(place)), 0, size - 1);
+    const int first = std::clamp(static_cast<int>(std::floor(coordinate)), 0, size - 1);
     if (!blends) return texels[static_cast<std::size_t>(first)];
     const int second = std::min(first + 1, size - 1);
     return glm::mix(texels[static_cast<std::size_t>(first)], texels[static_cast<std::size_t>(second)],
-                    std::clamp(place - static_cast<float>(first), 0.0f, 1.0f));
+                    std::clamp(coordinate - static_cast<float>(first), 0.0f, 1.0f));
 }
 
 } // namespace tarn::optics

@@ -129,9 +129,9 @@ private:
 TargetBounds wholeTexels(vec2 lower, vec2 upper, int resolution)
 {
     const float texels = static_cast<float>(resolution);
-    const auto place = [texels](vec2 at) { return (0.5f * glm::clamp(at, -1.0f, 1.0f) + 0.5f) * texels; };
-    const vec2 first = glm::max(glm::floor(place(lower)) - 2.0f, vec2(0.0f));
-    const vec2 end = glm::min(glm::ceil(place(upper)) + 2.0f, vec2(texels));
+    const auto toTexels = [texels](vec2 at) { return (0.5f * glm::clamp(at, -1.0f, 1.0f) + 0.5f) * texels; };
+    const vec2 first = glm::max(glm::floor(toTexels(lower)) - 2.0f, vec2(0.0f));
+    const vec2 end = glm::min(glm::ceil(toTexels(upper)) + 2.0f, vec2(texels));
     return {2.0f * first / texels - 1.0f, 2.0f * end / texels - 1.0f};
 }
 

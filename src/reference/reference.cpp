@@ -145,11 +145,11 @@ void addSample(const Integrator& integrator, const Lens& lens, int seed, Accumul
     const int sample = sums.samples;
     overPixels(sums.size, [&](int x, int y, std::size_t pixel) {
         Random shift(static_cast<std::uint64_t>(seed), pixel);
-        const dvec2 place = evenlySpread(static_cast<std::uint64_t>(sample), shift.next2());
+        const dvec2 offset = evenlySpread(static_cast<std::uint64_t>(sample), shift.next2());
         Random random(static_cast<std::uint64_t>(seed) + 1u, pixel << 24 | static_cast<std::uint64_t>(sample));
         double truncated = 0.0;
         const vec3 radiance =
-            integrator.radiance(lens.through(x + place.x, y + place.y), lens.pixelAngle(), random, truncated);
+            integrator.radiance(lens.through(x + offset.x, y + offset.y), lens.pixelAngle(), random, truncated);
         sums.radiance[pixel] += radiance;
         sums.squares[pixel] += luminance(radiance) * luminance(radiance);
         sums.truncated[pixel] += static_cast<float>(truncated);

@@ -43,18 +43,18 @@ TargetPicture::Seen TargetPicture::alongLine(const dvec3& direction) const
     return seen;
 }
 
-TargetPicture::Seen TargetPicture::seenAt(const dvec3& place) const
+TargetPicture::Seen TargetPicture::seenAt(const dvec3& position) const
 {
-    const dvec3 p = inView(camera_.throughFlatWater ? optics64::flatApparent(eye_, place, level_, ior_) : place);
+    const dvec3 p = inView(camera_.throughFlatWater ? optics64::flatApparent(eye_, position, level_, ior_) : position);
     const dvec2 tangent = glm::clamp(dvec2(p) / std::max(-p.z, 1e-6), -camera_.tangents, camera_.tangents);
     return alongLine(glm::normalize(dmat3(worldFromView_) * dvec3(tangent, -1.0)));
 }
 
-dvec3 TargetPicture::inTexel(const dvec3& place, int resolution, const dvec2& chance) const
+dvec3 TargetPicture::inTexel(const dvec3& position, int resolution, const dvec2& chance) const
 {
     const bool isFlat = camera_.throughFlatWater;
-    const dvec3 p = inView(isFlat ? optics64::flatApparent(eye_, place, level_, ior_) : place);
-    if (p.z > -1e-6) return place;
+    const dvec3 p = inView(isFlat ? optics64::flatApparent(eye_, position, level_, ior_) : position);
+    if (p.z > -1e-6) return position;
     const dvec2 texel = 2.0 * camera_.tangents / static_cast<double>(resolution); // tangents across one
     const dvec2 at = dvec2(p) / -p.z / texel;
     // Texels' middles lie at halves, since an even number of them lies about the picture's middle.

@@ -19,13 +19,13 @@ public:
         std::optional<Hit> hit; ///< along that; empty: only the far plane
         dvec3 point;            ///< world, m
     };
-    /// What stands at a place's pixel, before or behind the place; past the picture's border, at its border.
-    Seen seenAt(const dvec3& place) const;
+    /// What stands at a position's pixel, before or behind it; past the picture's border, at its border.
+    Seen seenAt(const dvec3& position) const;
 
-    /// The middle of one of the four texels about a place, as deep in the picture as that, by chance of its
+    /// The middle of one of the four texels about a position, as deep in the picture as that, by chance of its
     /// bilinear weight.
     /// @param chance two numbers from 0 to 1
-    dvec3 inTexel(const dvec3& place, int resolution, const dvec2& chance) const;
+    dvec3 inTexel(const dvec3& position, int resolution, const dvec2& chance) const;
 
     /// W: where a ray from the surface meets what the picture shows, found as passes/water.frag finds it.
     /// @param A what the search takes for the point there

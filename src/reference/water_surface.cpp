@@ -148,8 +148,8 @@ dvec2 WaterSurface::rippleSlope(double x, double z) const
 {
     dvec3 sum(0.0);
     for (const dvec2& offset : offsets_) {
-        const dvec2 place = glm::fract(dvec2(x, z) / tile_ + offset); // small, for the single precision of the lookup
-        const vec3 colour(sampleTexture(*normalMap_, vec2(place), Encoding::linear));
+        const dvec2 uv = glm::fract(dvec2(x, z) / tile_ + offset); // small, for the single precision of the lookup
+        const vec3 colour(sampleTexture(*normalMap_, vec2(uv), Encoding::linear));
         sum += optics64::normalMapNormal(dvec3(colour));
     }
     return optics64::normalMapSlope(sum, bump_);
@@ -168,19 +168,19 @@ dvec3 WaterSurface::drawnNormal(double x, double z) const
     if (!normalGrid_) return waveNormal(x, z);
     // The triangle of the grid: see gridHeight in shaders/shared/water_grid.glsl.
     const auto& [axisX, axisZ] = *normalGrid_;
-    const auto place = [&](const dvec2& line) {
+    const auto positionOf = [&](const dvec2& line) {
         return dvec2(optics64::gridPosition(axisX, line.x), optics64::gridPosition(axisZ, line.y));
     };
     const dvec2 line(optics64::gridLine(axisX, x), optics64::gridLine(axisZ, z));
     const dvec2 corner = glm::min(glm::floor(line), dvec2(axisX.vertices, axisZ.vertices) - 2.0);
-    const dvec2 first = place(corner), last = place(corner + 1.0);
+    const dvec2 first = positionOf(corner), last = positionOf(corner + 1.0);
     const dvec2 f = glm::clamp((dvec2(x, z) - first) / glm::max(last - first, dvec2(1e-9)), dvec2(0.0), dvec2(1.0));
     const bool isFirst = f.x + f.y <= 1.0;
     const dvec2 own = isFirst ? corner : corner + 1.0;
     const double way = isFirst ? 1.0 : -1.0;
     const dvec2 weight = isFirst ? f : 1.0 - f;
     const auto vertex = [&](const dvec2& at) {
-        const dvec2 p = place(at), cell(optics64::gridCell(axisX, at.x), optics64::gridCell(axisZ, at.y));
+        const dvec2 p = positionOf(at), cell(optics64::gridCell(axisX, at.x), optics64::gridCell(axisZ, at.y));
         return optics64::gridSum(waves_.data(), static_cast<int>(waves_.size()), p, cell, time_).slope;
     };
     return optics64::waveNormal((1.0 - weight.x - weight.y) * vertex(own) + weight.x * vertex(own + dvec2(way, 0.0)) +
@@ -245,9 +245,9 @@ double WaterSurface::polish(const Ray& ray, double t, double side) const
 std::optional<double> WaterSurface::intersectGrid(const Ray& ray, double tMin, double tMax, double side) const
 {
     // Of a cell with the ray's point in it: its two lines on either axis, and the diagonal between its triangles.
-    const auto cellAt = [&](std::size_t axis, double place) {
+    const auto cellAt = [&](std::size_t axis, double position) {
         const std::vector<double>& lines = lines_[axis];
-        const auto after = std::upper_bound(lines.begin() + 1, lines.end() - 1, place);
+        const auto after = std::upper_bound(lines.begin() + 1, lines.end() - 1, position);
         return dvec2(*(after - 1), *after);
     };
     constexpr double past = 1e-9; // m, beyond an edge that was reached
