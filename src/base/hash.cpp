@@ -32,7 +32,7 @@ std::uint64_t hashOf(std::string_view bytes)
         mix(word);
     }
     word = 0;
-    std::memcpy(&word, bytes.data() + i, bytes.size() - i);
+    bytes.copy(reinterpret_cast<char*>(&word), sizeof word, i); // no bytes may have no address
     mix(word);
     return hash;
 }

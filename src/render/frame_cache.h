@@ -49,8 +49,8 @@ FrameKey frameKeyOf(const FrameInput& input, const Options& options, const Water
 struct CausticsKey {
     SunlightPass::Inputs sun;
     CausticsRegion region;
-    blocks::FrameBlock light; ///< of the frame
-    blocks::WavesBlock waves; ///< at the frame's time
+    blocks::FrameBlock light{}; ///< of the frame
+    blocks::WavesBlock waves{}; ///< at the frame's time
     bool operator==(const CausticsKey& other) const;
 };
 

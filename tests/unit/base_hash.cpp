@@ -33,5 +33,8 @@ TEST(HashOf, TellsContentsApart)
     EXPECT_EQ(hashes.size(), 1u + 40u * 8u + 40u);
 }
 
+// What is empty may have no address.
+TEST(HashOf, NothingHasAHash) { EXPECT_EQ(hashOf({}), hashOf("")); }
+
 } // namespace
 } // namespace tarn::test
