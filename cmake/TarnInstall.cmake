@@ -13,7 +13,7 @@ install(FILES assets/desktop/tarn.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons
 find_program(TARN_PYTHON3 python3)
 if(TARN_PYTHON3)
   install(CODE "execute_process(
-    COMMAND ${TARN_PYTHON3} ${PROJECT_SOURCE_DIR}/tools/shell_files --program $<TARGET_FILE:tarn-osmesa>
+    COMMAND \"${TARN_PYTHON3}\" \"${PROJECT_SOURCE_DIR}/tools/shell_files\" --program \"$<TARGET_FILE:tarn-osmesa>\"
             --out \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\"
     COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)")
 else()
